@@ -1,0 +1,29 @@
+# How every target of this project is compiled.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+option(MAGGIC_WARNINGS_AS_ERRORS "Treat warnings as errors" OFF)
+set(MAGGIC_SANITIZE "" CACHE STRING "Sanitizers for everything, e.g. address,undefined")
+option(MAGGIC_BENCH "Build the Google Benchmark programs" OFF)
+option(MAGGIC_FUZZ "Build the libFuzzer targets (clang only)" OFF)
+
+find_program(MAGGIC_CCACHE ccache)
+if(MAGGIC_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${MAGGIC_CCACHE})
+endif()
+
+# Warnings are for our own targets alone, hence a target to link rather than global flags.
+add_library(maggic_warnings INTERFACE)
+target_compile_options(maggic_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual)
+if(MAGGIC_WARNINGS_AS_ERRORS)
+  target_compile_options(maggic_warnings INTERFACE -Werror)
+endif()
+
+if(MAGGIC_SANITIZE)
+  add_compile_options(-fsanitize=${MAGGIC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${MAGGIC_SANITIZE})
+endif()

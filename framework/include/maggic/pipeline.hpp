@@ -1,0 +1,96 @@
+#pragma once
+/// The frame path: from a frame to detections through the configured stages.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "maggic/blob_extractor.hpp"
+#include "maggic/color_table.hpp"
+#include "maggic/field.hpp"
+#include "maggic/frame_result.hpp"
+#include "maggic/plugin_registry.hpp"
+
+namespace maggic {
+
+/// A stage threw. `what()`: "<kind> '<name>' failed at frame <n>: <message>". Made while the
+/// plugin's library is held, so it outlives the plugin safely.
+class StageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A stage and the name of its plugin.
+template <class T>
+struct NamedStage {
+  std::string name;
+  StagePtr<T> stage;
+};
+
+/// The `blobs:` section of a pipeline. Areas in mm² of the field at the robots' tag height.
+struct BlobParameters {
+  double min_area_mm2 = 100.0;
+  double max_area_mm2 = 8000.0;
+  int max_blobs = 1024;
+
+  void describe(Parameters& parameters);
+};
+
+/// Everything the frame path is made of, configured and prepared.
+struct PipelineParts {
+  Palette palette;
+  FieldParameters field;
+  BlobParameters blobs;
+  NamedStage<Normalizer> normalizer;
+  NamedStage<Segmenter> segmenter;
+  NamedStage<Tracker> tracker;
+};
+
+/// What `process` made of a frame.
+enum class FrameOutcome {
+  kProcessed,
+  kSkipped,  ///< No picture in it, or one that cannot be converted; told through the reporter.
+};
+
+/// Runs frames through the stages. One thread at a time. Allocates nothing per frame once warm.
+class Pipeline {
+ public:
+  /// Compiles the ColorTable where both stages depend on colour alone.
+  /// @param reporter outlives the pipeline.
+  Pipeline(PipelineParts parts, Reporter& reporter);
+
+  /// Fills `runs`, `blobs`, `detections` and the frame-path `times` of `result` from
+  /// `result.frame`. Frames of 16 bit, one or four channels are converted in place; a frame of
+  /// another size than the last one is taken as it comes.
+  /// @throws StageError when a stage throws; the pipeline can go on with the next frame.
+  FrameOutcome process(FrameResult& result);
+
+  /// The transform for the latest processed frame's size. Valid until the size changes.
+  const Field& field() const { return *field_; }
+  /// The transform for frames of `size`.
+  Field field_for(cv::Size size) const { return Field(parts_.field, size); }
+  const Palette& palette() const { return parts_.palette; }
+  const PipelineParts& parts() const { return parts_; }
+
+  /// The compiled table; nothing when a stage needs the picture.
+  const ColorTable* color_table() const { return table_ ? &*table_ : nullptr; }
+  std::chrono::nanoseconds table_compile_time() const { return table_compile_time_; }
+
+ private:
+  void segment(FrameResult& result);
+
+  PipelineParts parts_;
+  Reporter& reporter_;
+  std::optional<ColorTable> table_;
+  std::chrono::nanoseconds table_compile_time_{0};
+  std::optional<Field> field_;
+  BlobExtractor::Limits blob_limits_px_;
+  BlobExtractor blob_extractor_;
+  cv::Mat normalized_;
+  cv::Mat labels_;
+};
+
+}  // namespace maggic

@@ -1,0 +1,26 @@
+#pragma once
+/// From pixels to runs: the part of the frame path that touches every pixel.
+
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "maggic/blob.hpp"
+#include "maggic/color_table.hpp"
+
+namespace maggic {
+
+/// Appends nothing to an old list: `runs` is cleared, then holds every maximal run of equal
+/// non-background label, rows ascending, then columns ascending.
+/// @param bgr CV_8UC3, at most 65535 a side, rows may be padded.
+void extract_runs(const cv::Mat& bgr, const ColorTable& table, std::vector<Run>& runs);
+
+/// The same from a label image, for segmenters that need the picture.
+/// @param labels CV_8UC1, at most 65535 a side.
+void extract_runs(const cv::Mat& labels, std::vector<Run>& runs);
+
+/// Writes the label image that `runs` describe, for sinks and views that want to see it.
+/// @param labels set to CV_8UC1 of `size`.
+void draw_runs(const std::vector<Run>& runs, cv::Size size, cv::Mat& labels);
+
+}  // namespace maggic

@@ -1,0 +1,60 @@
+#pragma once
+/// The run loop: capture thread → frame path → sink threads.
+///
+/// Live sources: newest frame wins, dropped frames are counted; sinks that cannot keep up lose
+/// frames, counted. Recorded sources: nothing is dropped anywhere; a slow sink slows the run.
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "maggic/frame_result.hpp"
+#include "maggic/pipeline_builder.hpp"
+#include "maggic/step_statistics.hpp"
+
+namespace maggic {
+
+struct RunOptions {
+  std::optional<std::uint64_t> max_frames;  ///< Stop after so many processed frames.
+  bool realtime = false;  ///< Treat a recorded source as a live one, at its own pace.
+  std::size_t sink_queue_frames = 8;
+};
+
+/// What happened to one sink.
+struct SinkSummary {
+  std::string name;
+  std::uint64_t written = 0;
+  std::uint64_t dropped = 0;  ///< Live only: the queue was full.
+  std::uint64_t failed = 0;   ///< `write` threw.
+  std::string first_error;    ///< Empty when open, write and close all went well.
+};
+
+/// State of a run, during it and at its end.
+struct RunSummary {
+  SourceInfo source;
+  std::uint64_t processed = 0;
+  std::uint64_t dropped = 0;  ///< Captured but never processed (live).
+  std::uint64_t skipped = 0;  ///< Not a usable picture.
+  std::uint64_t failed = 0;   ///< A stage of the frame path threw.
+  std::string first_error;    ///< Of the frame path or the source.
+  bool source_failed = false; ///< The source could not be opened or threw while reading.
+  std::vector<SinkSummary> sinks;
+  StepStatistics times;
+
+  /// True when nothing failed: the program's exit code 0.
+  bool clean() const;
+};
+
+/// Runs a built pipeline to the source's end, to `max_frames`, or until `stop` becomes true.
+/// @param on_frame called on the frame path's thread after each processed frame (detections are
+///   in `result`); keep it short. May be empty.
+/// @throws nothing of a stage: all of that is in the summary.
+RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomic<bool>& stop,
+               Reporter& reporter,
+               const std::function<void(const FrameResult&, const RunSummary&)>& on_frame = {});
+
+}  // namespace maggic

@@ -1,0 +1,37 @@
+#pragma once
+/// Segmenters: give every pixel the label of a palette colour, or background.
+
+#include <span>
+
+#include <opencv2/core/mat.hpp>
+
+#include "maggic/color_batch.hpp"
+#include "maggic/palette.hpp"
+#include "maggic/stage.hpp"
+
+namespace maggic {
+
+/// Either a ColorSegmenter or an ImageSegmenter; derive from one of those.
+class Segmenter : public Stage {};
+
+/// A segmenter whose answer depends on the pixel's colour alone, before and after normalisation.
+/// Compiled into the ColorTable; costs nothing per frame.
+class ColorSegmenter : public Segmenter {
+ public:
+  /// Writes the label of colour i, given as `original[i]` and `normalized[i]`, to `labels[i]`.
+  /// Contract: all three have one size, any size including 0; every label written is below the
+  /// palette's size; batch equals single; thread-safe; never throws.
+  virtual void segment(const ColorBatch& original, const ColorBatch& normalized,
+                       std::span<Label> labels) const = 0;
+};
+
+/// A segmenter that needs the picture (neighbourhoods, learned models). Runs on every frame.
+class ImageSegmenter : public Segmenter {
+ public:
+  /// @param original CV_8UC3, at least 1×1, perhaps with padded rows; not to be written.
+  /// @param normalized same size and type as `original`.
+  /// @param labels CV_8UC1 of the same size, allocated by the host; every pixel is written.
+  virtual void segment(const cv::Mat& original, const cv::Mat& normalized, cv::Mat& labels) = 0;
+};
+
+}  // namespace maggic

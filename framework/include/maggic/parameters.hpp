@@ -68,12 +68,13 @@ class Parameters {
   /// A sequence of exactly `values.size()` numbers, such as a point `[x, y]` or a span `[min, max]`.
   virtual void numbers(const Parameter& what, std::span<double> values, Range<double> range) = 0;
 
-  /// A value that may be absent; absent leaves it empty.
+  /// A value that may be absent: an absent key leaves the default, `none` empties it.
   void number(const Parameter& what, std::optional<double>& value, Range<double> range);
   void integer(const Parameter& what, std::optional<int>& value, Range<int> range);
 
   /// `[x, y]`.
   void point(const Parameter& what, cv::Point2d& value, Range<double> range);
+  void point(const Parameter& what, std::optional<cv::Point2d>& value, Range<double> range);
 
   /// One of a few names.
   template <class E>
@@ -135,10 +136,29 @@ class Parameters {
                             std::span<const std::string_view> names) = 0;
   virtual void list_elements(const Parameter& what, Elements& elements, Range<int> count) = 0;
   virtual void color_elements(const Parameter& what, ColorElements& elements, Range<int> count) = 0;
-  /// Whether `key` stands in the file (a printer answers `false`).
-  virtual bool present(std::string_view key) const = 0;
+
+  /// What became of a value that may be absent.
+  enum class OptionalOutcome {
+    kUnchanged,  ///< Not in the file, or a mistake.
+    kEmptied,    ///< `none` or `~` was written.
+    kRead,
+  };
+  /// Visits a value that may be absent. `describe_value` visits it as the required value it may
+  /// hold, and is called by printers whether or not there is a default.
+  virtual OptionalOutcome optional_value(const Parameter& what, bool has_default,
+                                         const std::function<void()>& describe_value) = 0;
 
  private:
+  template <class T, class Visit>
+  void visit_optional(const Parameter& what, std::optional<T>& value, Visit visit) {
+    T read = value.value_or(T{});
+    switch (optional_value(what, value.has_value(), [&] { visit(read); })) {
+      case OptionalOutcome::kUnchanged: break;
+      case OptionalOutcome::kEmptied: value.reset(); break;
+      case OptionalOutcome::kRead: value = read; break;
+    }
+  }
+
   template <class T, class F>
   class VectorElements final : public Elements {
    public:

@@ -10,6 +10,7 @@
 
 #include <boost/smart_ptr/intrusive_ptr.hpp>
 
+#include "maggic/field.hpp"
 #include "maggic/frame_result.hpp"
 
 namespace maggic {
@@ -20,6 +21,8 @@ class FramePool;
 class PooledFrame {
  public:
   FrameResult result;
+  /// The transform of this frame's size, shared with the pipeline: see Pipeline::field.
+  std::shared_ptr<const Field> field;
 
  private:
   friend class FramePool;

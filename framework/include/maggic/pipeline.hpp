@@ -16,6 +16,8 @@
 
 namespace maggic {
 
+class ImagePath;
+
 /// A stage threw. `what()`: "<kind> '<name>' failed at frame <n>: <message>". Made while the
 /// plugin's library is held, so it outlives the plugin safely.
 class StageError : public std::runtime_error {
@@ -60,7 +62,9 @@ class Pipeline {
  public:
   /// Compiles the ColorTable where both stages depend on colour alone.
   /// @param reporter outlives the pipeline.
+  /// @throws StageError when compiling it fails.
   Pipeline(PipelineParts parts, Reporter& reporter);
+  ~Pipeline();
 
   /// Fills `runs`, `blobs`, `detections` and the frame-path `times` of `result` from
   /// `result.frame`. Frames of 16 bit, one or four channels are converted in place; a frame of
@@ -68,8 +72,9 @@ class Pipeline {
   /// @throws StageError when a stage throws; the pipeline can go on with the next frame.
   FrameOutcome process(FrameResult& result);
 
-  /// The transform for the latest processed frame's size. Valid until the size changes.
-  const Field& field() const { return *field_; }
+  /// The transform for the latest processed frame's size; null before the first frame. Shared
+  /// because sinks still work on a frame of the old size when a new one arrives.
+  const std::shared_ptr<const Field>& field() const { return field_; }
   /// The transform for frames of `size`.
   Field field_for(cv::Size size) const { return Field(parts_.field, size); }
   const Palette& palette() const { return parts_.palette; }
@@ -80,17 +85,17 @@ class Pipeline {
   std::chrono::nanoseconds table_compile_time() const { return table_compile_time_; }
 
  private:
+  void take_size(cv::Size size);
   void segment(FrameResult& result);
 
   PipelineParts parts_;
   Reporter& reporter_;
   std::optional<ColorTable> table_;
   std::chrono::nanoseconds table_compile_time_{0};
-  std::optional<Field> field_;
+  std::unique_ptr<ImagePath> image_path_;  ///< Used when there is no table.
+  std::shared_ptr<const Field> field_;
   BlobExtractor::Limits blob_limits_px_;
   BlobExtractor blob_extractor_;
-  cv::Mat normalized_;
-  cv::Mat labels_;
 };
 
 }  // namespace maggic

@@ -29,7 +29,8 @@ class PluginLibrary;  // an open, checked library
 
 /// Destroys a stage in the library that made it, and only then lets go of the library.
 struct StageDeleter {
-  std::shared_ptr<const PluginLibrary> library;  ///< Shared by every stage the library made.
+  /// Shared by every stage the library made; null for a stage made by `new` in this program.
+  std::shared_ptr<const PluginLibrary> library;
   void operator()(Stage* stage) const noexcept;
 };
 

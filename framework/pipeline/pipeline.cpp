@@ -1,0 +1,111 @@
+#include "maggic/pipeline.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "maggic/frame_conversion.hpp"
+#include "maggic/run_extractor.hpp"
+#include "pipeline/image_path.hpp"
+#include "pipeline/stage_guard.hpp"
+
+namespace maggic {
+namespace {
+
+/// Stores the time since construction, or since the last `lap`, in a step.
+class StopWatch {
+ public:
+  std::chrono::nanoseconds lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return now - std::exchange(last_, now);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void BlobParameters::describe(Parameters& p) {
+  p.number({"min_area_mm2", "smaller blobs are noise and left out", "mm²"}, min_area_mm2,
+           {0.0, 1e6});
+  p.number({"max_area_mm2", "larger blobs are no tag and no ball and left out", "mm²"},
+           max_area_mm2, {0.0, 1e9});
+  p.integer({"max_blobs", "at most so many blobs a frame, the largest; bounds the work on noise"},
+            max_blobs, {1, 1'000'000});
+  p.check("max_area_mm2", max_area_mm2 >= min_area_mm2,
+          fmt::format("max_area_mm2 {} is below min_area_mm2 {}: expected at least as much",
+                      max_area_mm2, min_area_mm2));
+}
+
+Pipeline::Pipeline(PipelineParts parts, Reporter& reporter)
+    : parts_(std::move(parts)), reporter_(reporter), image_path_(std::make_unique<ImagePath>()) {
+  const auto* normalizer = dynamic_cast<const ColorNormalizer*>(parts_.normalizer.stage.get());
+  const auto* segmenter = dynamic_cast<const ColorSegmenter*>(parts_.segmenter.stage.get());
+  if (normalizer == nullptr || segmenter == nullptr) return;
+  StopWatch watch;
+  guarded(StageKind::kSegmenter, parts_.segmenter.name, "while its colour table was compiled",
+          [&] { table_ = ColorTable::compile(*normalizer, *segmenter, parts_.palette.size()); });
+  table_compile_time_ = watch.lap();
+}
+
+Pipeline::~Pipeline() = default;
+
+FrameOutcome Pipeline::process(FrameResult& result) {
+  result.runs.clear();
+  result.blobs.clear();
+  result.detections.clear();
+  result.detections.sequence = result.frame.sequence;
+  result.detections.captured = result.frame.captured;
+  for (const Step step : {Step::kSegment, Step::kBlobs, Step::kTrack}) {
+    result.times[step] = std::chrono::nanoseconds(0);
+  }
+
+  StopWatch watch;
+  if (const std::optional<std::string> unusable = convert_to_bgr8(result.frame.bgr)) {
+    reporter_.warn(fmt::format("a frame was skipped: {}", *unusable));
+    return FrameOutcome::kSkipped;
+  }
+  take_size(result.frame.bgr.size());
+
+  segment(result);
+  result.times[Step::kSegment] = watch.lap();
+
+  const std::size_t left_out =
+      blob_extractor_.extract(result.runs, blob_limits_px_, result.blobs);
+  if (left_out > 0) {
+    reporter_.warn("more blobs than blobs.max_blobs: the smallest were left out");
+  }
+  result.times[Step::kBlobs] = watch.lap();
+
+  const TrackerInput input{result.frame.sequence, result.frame.captured, result.blobs, *field_};
+  guarded(StageKind::kTracker, parts_.tracker.name, AtFrame{result.frame.sequence},
+          [&] { parts_.tracker.stage->track(input, result.detections); });
+  result.times[Step::kTrack] = watch.lap();
+  return FrameOutcome::kProcessed;
+}
+
+void Pipeline::take_size(cv::Size size) {
+  if (field_ && field_->frame_size_px() == size) return;
+  field_ = std::make_shared<const Field>(parts_.field, size);
+  const cv::Point2d middle_px((size.width - 1) / 2.0, (size.height - 1) / 2.0);
+  const double mm2_per_px = field_->mm2_per_px2(middle_px, field_->robot_height_mm());
+  blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / mm2_per_px;
+  blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / mm2_per_px;
+  blob_limits_px_.max_blobs = static_cast<std::size_t>(parts_.blobs.max_blobs);
+}
+
+void Pipeline::segment(FrameResult& result) {
+  if (table_) {
+    extract_runs(result.frame.bgr, *table_, result.runs);
+    return;
+  }
+  const AtFrame when{result.frame.sequence};
+  const cv::Mat& bgr = result.frame.bgr;
+  guarded(StageKind::kNormalizer, parts_.normalizer.name, when,
+          [&] { image_path_->normalize(bgr, *parts_.normalizer.stage); });
+  guarded(StageKind::kSegmenter, parts_.segmenter.name, when,
+          [&] { extract_runs(image_path_->segment(bgr, *parts_.segmenter.stage), result.runs); });
+}
+
+}  // namespace maggic

@@ -1,0 +1,164 @@
+#include "maggic/runner.hpp"
+
+#include <numeric>
+
+#include <gmock/gmock.h>
+
+#include "pipeline/fake_stages_for_tests.hpp"
+
+namespace maggic {
+namespace {
+
+using fakes::Rig;
+using std::chrono::milliseconds;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+RunSummary run_to_end(Rig& rig, const RunOptions& options = {}) {
+  const std::atomic<bool> stop{false};
+  return run(rig.built, options, stop, rig.reporter);
+}
+
+std::vector<std::uint64_t> first(std::uint64_t count) {
+  std::vector<std::uint64_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+TEST(RunRecorded, EveryFrameReachesEverySinkInOrder) {
+  Rig rig(100, 3);
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_TRUE(summary.clean());
+  EXPECT_EQ(summary.processed, 100u);
+  EXPECT_EQ(summary.dropped, 0u);
+  for (const fakes::RecordingSink* sink : rig.sinks) {
+    EXPECT_EQ(sink->sequences, first(100));
+    EXPECT_TRUE(sink->closed);
+  }
+}
+
+TEST(RunRecorded, ASlowSinkSlowsTheRunButLosesNothing) {
+  Rig rig(20, 2);
+  rig.sinks[0]->at_write = [](std::uint64_t) { std::this_thread::sleep_for(milliseconds(2)); };
+  const RunSummary summary = run_to_end(rig, {.sink_queue_frames = 2});
+  EXPECT_EQ(rig.sinks[0]->sequences, first(20));
+  EXPECT_EQ(rig.sinks[1]->sequences, first(20));
+  EXPECT_EQ(summary.sinks[0].dropped, 0u);
+}
+
+TEST(RunRecorded, StopsAfterMaxFrames) {
+  Rig rig(100);
+  EXPECT_EQ(run_to_end(rig, {.max_frames = 7}).processed, 7u);
+  EXPECT_EQ(rig.sinks[0]->sequences, first(7));
+}
+
+TEST(RunLive, NewestFrameWinsAndDropsAreCounted) {
+  Rig rig(50);
+  rig.source->live = true;
+  rig.source->before_read = [](std::uint64_t) { std::this_thread::sleep_for(milliseconds(1)); };
+  rig.tracker->at_frame = [](std::uint64_t) { std::this_thread::sleep_for(milliseconds(5)); };
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_GT(summary.dropped, 0u);
+  EXPECT_EQ(summary.processed + summary.dropped, 50u);
+  EXPECT_TRUE(std::ranges::is_sorted(rig.sinks[0]->sequences));
+  EXPECT_EQ(rig.sinks[0]->sequences.back(), 49u) << "the newest frame is never the one dropped";
+}
+
+TEST(RunLive, ASlowSinkNeverDelaysTheFramePath) {
+  Rig rig(60, 2);
+  rig.source->live = true;
+  rig.source->before_read = [](std::uint64_t) { std::this_thread::sleep_for(milliseconds(1)); };
+  rig.sinks[0]->at_write = [](std::uint64_t) { std::this_thread::sleep_for(milliseconds(20)); };
+  const RunSummary summary = run_to_end(rig, {.sink_queue_frames = 2});
+  EXPECT_GT(summary.sinks[0].dropped, 0u);
+  EXPECT_EQ(summary.sinks[0].written + summary.sinks[0].dropped, summary.processed);
+  EXPECT_GT(summary.sinks[1].written, summary.sinks[0].written);
+}
+
+TEST(RunRealtime, PlaysARecordingAtItsOwnPace) {
+  Rig rig(11);  // 10 ms apart
+  const auto start = std::chrono::steady_clock::now();
+  run_to_end(rig, {.realtime = true});
+  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(99));
+}
+
+TEST(RunTrouble, AThrowingTrackerIsNamedWithItsFrameAndTheRunGoesOn) {
+  Rig rig(5);
+  rig.tracker->at_frame = [](std::uint64_t n) {
+    if (n == 2) throw std::runtime_error("lost my marbles");
+  };
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_EQ(summary.failed, 1u);
+  EXPECT_EQ(summary.first_error, "tracker 'hook' failed at frame 2: lost my marbles");
+  EXPECT_THAT(rig.sinks[0]->sequences, ElementsAre(0, 1, 3, 4));
+  EXPECT_FALSE(summary.clean());
+}
+
+TEST(RunTrouble, WhatIsNoStdExceptionIsReportedToo) {
+  Rig rig(2);
+  rig.tracker->at_frame = [](std::uint64_t) { throw 42; };
+  EXPECT_THAT(run_to_end(rig).first_error, HasSubstr("not a std::exception"));
+}
+
+TEST(RunTrouble, ASinkThatCannotOpenLeavesTheOthersAlone) {
+  Rig rig(10, 2);
+  rig.sinks[0]->at_open = [] { throw std::runtime_error("no such folder"); };
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_EQ(summary.processed, 10u);
+  EXPECT_EQ(summary.sinks[0].first_error, "sink 'recording' failed to open: no such folder");
+  EXPECT_THAT(rig.sinks[0]->sequences, IsEmpty());
+  EXPECT_EQ(rig.sinks[1]->sequences, first(10));
+  EXPECT_FALSE(summary.clean());
+}
+
+TEST(RunTrouble, ASinkThatFailsToWriteIsCountedAndTriedAgain) {
+  Rig rig(4);
+  rig.sinks[0]->at_write = [](std::uint64_t n) {
+    if (n < 2) throw std::runtime_error("disk full");
+  };
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_EQ(summary.sinks[0].failed, 2u);
+  EXPECT_EQ(summary.sinks[0].written, 2u);
+  EXPECT_EQ(summary.sinks[0].first_error, "sink 'recording' failed at frame 0: disk full");
+  EXPECT_TRUE(rig.sinks[0]->closed);
+}
+
+TEST(RunTrouble, ASourceThatFailsHalfwayKeepsWhatWasSeen) {
+  Rig rig(10);
+  rig.source->before_read = [](std::uint64_t n) {
+    if (n == 5) throw std::runtime_error("bad sector");
+  };
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_TRUE(summary.source_failed);
+  EXPECT_EQ(summary.first_error, "source 'counting' failed at frame 5: bad sector");
+  EXPECT_EQ(rig.sinks[0]->sequences, first(5));
+}
+
+TEST(RunTrouble, UnusableFramesAreSkippedAndCounted) {
+  Rig rig(4);
+  rig.source->picture = [](std::uint64_t n) {
+    return n == 1 ? cv::Mat() : cv::Mat(5, 7, CV_8UC3, cv::Scalar::all(0));
+  };
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_EQ(summary.skipped, 1u);
+  EXPECT_EQ(summary.processed, 3u);
+  EXPECT_THAT(rig.reporter.messages(), Contains(HasSubstr("skipped")));
+}
+
+TEST(RunTrouble, StoppingClosesTheSinks) {
+  Rig rig(1'000'000);
+  std::atomic<bool> stop{false};
+  const RunSummary summary = run(rig.built, {}, stop, rig.reporter,
+                                 [&](const FrameResult& result, const RunSummary&) {
+                                   if (result.frame.sequence == 20) stop = true;
+                                 });
+  EXPECT_EQ(summary.processed, 21u);
+  EXPECT_TRUE(rig.sinks[0]->closed);
+  EXPECT_EQ(rig.sinks[0]->sequences, first(21));
+}
+
+}  // namespace
+}  // namespace maggic

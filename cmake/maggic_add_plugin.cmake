@@ -1,17 +1,18 @@
-# maggic_add_plugin([LIBRARIES target...] [TEST_LIBRARIES target...])
+# maggic_add_plugin([SOURCES file...] [LIBRARIES target...] [TEST_LIBRARIES target...])
 #
-# Makes the plugin of the current folder: <folder>.cpp becomes <folder>.so, and <folder>_test.cpp,
+# Makes the plugin of the current folder: <folder>.cpp, with SOURCES beside it where one file would
+# grow too long, becomes <folder>.so, and <folder>_test.cpp,
 # where it exists and testing is on, the test program <folder>_test, which loads the plugin like any
 # host and runs under ctest. Works in this tree and, through find_package(maggic), out of it.
 function(maggic_add_plugin)
-  cmake_parse_arguments(PLUGIN "" "" "LIBRARIES;TEST_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PLUGIN "" "" "SOURCES;LIBRARIES;TEST_LIBRARIES" ${ARGN})
   if(PLUGIN_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "maggic_add_plugin: unknown arguments ${PLUGIN_UNPARSED_ARGUMENTS}")
   endif()
   get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set(plugin_dir ${CMAKE_BINARY_DIR}/lib/maggic/plugins)
 
-  add_library(${name} MODULE ${name}.cpp)
+  add_library(${name} MODULE ${name}.cpp ${PLUGIN_SOURCES})
   target_link_libraries(${name} PRIVATE maggic::maggic ${PLUGIN_LIBRARIES})
   target_compile_definitions(${name} PRIVATE MAGGIC_PLUGIN_NAME="${name}")
   set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${plugin_dir}

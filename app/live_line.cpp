@@ -1,0 +1,75 @@
+#include "app/live_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace maggic::app {
+namespace {
+
+constexpr int kBarCells = 20;
+
+double ms(std::chrono::nanoseconds t) {
+  return std::chrono::duration<double, std::milli>(t).count();
+}
+
+std::string clock(double seconds) {
+  const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
+  if (whole >= 3600) {
+    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  }
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string progress(const LiveState& state) {
+  if (!state.total || *state.total == 0) return fmt::format("frame {}", state.processed);
+  const double done =
+      std::min(1.0, static_cast<double>(state.processed) / static_cast<double>(*state.total));
+  const int cells = static_cast<int>(done * kBarCells);
+  std::string text = fmt::format("[{:#<{}}{:-<{}}] {:3.0f}%", "", cells, "", kBarCells - cells,
+                                 std::floor(done * 100.0));
+  // The rate of the whole run: the latest one jumps, and so would the time left.
+  if (state.processed > 0 && done < 1.0) {
+    text += " ETA " + clock(state.elapsed_s / done * (1.0 - done));
+  }
+  return text;
+}
+
+std::string quantiles_text(std::string_view name, const Quantiles& q) {
+  return fmt::format("{} {:.2f}/{:.2f}", name, q.p50_ms, q.p99_ms);
+}
+
+}  // namespace
+
+Quantiles quantiles_of(const DurationHistogram& histogram) {
+  return {ms(histogram.quantile(0.5)), ms(histogram.quantile(0.99))};
+}
+
+std::string live_line(const LiveState& state, int width) {
+  std::vector<std::string> parts;
+  parts.push_back(progress(state));
+  parts.push_back(fmt::format("{:.1f} fps", state.frames_per_second));
+  parts.push_back(fmt::format("{} robot{}{}", state.robots, state.robots == 1 ? "" : "s",
+                              state.ball ? " + ball" : ", no ball"));
+  if (state.failed > 0) parts.push_back(fmt::format("{} failed", state.failed));
+  parts.push_back(fmt::format("{} dropped", state.dropped));
+  if (state.skipped > 0) parts.push_back(fmt::format("{} skipped", state.skipped));
+  std::string times = "ms p50/p99: " + quantiles_text("frame", state.frame_path);
+  parts.push_back(times);
+  for (const Step step : {Step::kSegment, Step::kBlobs, Step::kTrack, Step::kRead}) {
+    parts.push_back(quantiles_text(name_of(step), state.steps[static_cast<std::size_t>(step)]));
+  }
+
+  const std::size_t room = static_cast<std::size_t>(std::max(width, 1));
+  std::string line;
+  for (const std::string& part : parts) {
+    const std::string_view gap = line.empty() ? "" : "  ";
+    if (line.size() + gap.size() + part.size() > room) break;
+    line.append(gap).append(part);
+  }
+  return line.empty() ? parts.front().substr(0, room) : line;
+}
+
+}  // namespace maggic::app

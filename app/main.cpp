@@ -1,0 +1,47 @@
+/// The program `maggic`. See commands.hpp for what it can be asked to do.
+
+#include <csignal>
+#include <cstdio>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "maggic/config_error.hpp"
+
+namespace {
+
+using namespace maggic::app;
+
+struct Dispatch {
+  const CommandLine& line;
+  ExitCode operator()(const RunOptionsGiven& o) const { return run_command(o, line); }
+  ExitCode operator()(const CheckOptions& o) const { return check_command(o, line); }
+  ExitCode operator()(const PluginsOptions& o) const { return plugins_command(o, line); }
+  ExitCode operator()(const DescribeOptions& o) const { return describe_command(o, line); }
+  ExitCode operator()(const NewOptions& o) const { return new_command(o, line); }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A reader that goes away is a write error for the sink to report, not a reason to die.
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    const auto parsed = parse_command_line(std::span<const char* const>(argv, argc).subspan(1));
+    if (const auto* end = std::get_if<EarlyEnd>(&parsed)) {
+      fmt::print(end->code == kFine ? stdout : stderr, "{}", end->text);
+      return end->code;
+    }
+    const CommandLine& line = std::get<CommandLine>(parsed);
+    return std::visit(Dispatch{line}, line.command);
+  } catch (const maggic::ConfigError& error) {
+    const std::size_t count = error.mistakes().size();
+    fmt::print(stderr, "{}\n{} mistake{}; nothing was run\n", error.what(), count,
+               count == 1 ? "" : "s");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "maggic: {}\n", error.what());
+  }
+  return kMistake;
+}

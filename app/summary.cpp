@@ -1,0 +1,97 @@
+#include "app/summary.hpp"
+
+#include <fmt/format.h>
+
+#include "app/text_table.hpp"
+
+namespace maggic::app {
+namespace {
+
+using Align = TextTable::Align;
+constexpr std::size_t kIndent = 2;
+constexpr std::size_t kWidth = 200;
+
+std::string ms(std::chrono::nanoseconds t) {
+  return fmt::format("{:.3f}", std::chrono::duration<double, std::milli>(t).count());
+}
+
+std::string percent(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0) return "-";
+  return fmt::format("{:.2f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::string times_text(const StepStatistics& times) {
+  TextTable table({Align::kLeft, Align::kRight, Align::kRight, Align::kRight, Align::kRight});
+  table.add({"ms a frame", "mean", "p50", "p99", "max"});
+  const auto add = [&](std::string_view name, const DurationHistogram& h) {
+    table.add({std::string(name), ms(h.mean()), ms(h.quantile(0.5)), ms(h.quantile(0.99)),
+               ms(h.max())});
+  };
+  for (const Step step : {Step::kRead, Step::kSegment, Step::kBlobs, Step::kTrack}) {
+    add(name_of(step), times.of(step));
+  }
+  add("frame path", times.frame_path());
+  return table.to_string(kIndent, kWidth);
+}
+
+std::string sinks_text(const std::vector<SinkSummary>& sinks) {
+  TextTable table({Align::kLeft, Align::kRight, Align::kLeft});
+  for (const SinkSummary& sink : sinks) {
+    std::string rest = "frames";
+    if (sink.dropped > 0) rest += fmt::format(", {} dropped", sink.dropped);
+    if (sink.failed > 0) rest += fmt::format(", {} failed", sink.failed);
+    if (!sink.first_error.empty()) rest += ": " + sink.first_error;
+    table.add({sink.name, std::to_string(sink.written), std::move(rest)});
+  }
+  return table.to_string(kIndent, kWidth);
+}
+
+std::string truth_text(const TruthScore& truth) {
+  TextTable table({Align::kLeft, Align::kRight, Align::kLeft});
+  const auto of = [](std::uint64_t part, std::uint64_t whole) {
+    return fmt::format("({} of {})", part, whole);
+  };
+  const auto largest = [](const ErrorSum& error, std::string_view unit) {
+    return fmt::format("(largest {:.2f} {})", error.max, unit);
+  };
+  const double frames = static_cast<double>(truth.frames);
+  table.add({"robots found", percent(truth.robots_found, truth.robots_true),
+             of(truth.robots_found, truth.robots_true)});
+  table.add({"right team and id", percent(truth.robots_right_id, truth.robots_true),
+             of(truth.robots_right_id, truth.robots_true)});
+  table.add({"false robots",
+             fmt::format("{:.3f} a frame", static_cast<double>(truth.robots_false) / frames), ""});
+  table.add({"robot position RMSE", fmt::format("{:.2f} mm", truth.robot_position_mm.rmse()),
+             largest(truth.robot_position_mm, "mm")});
+  table.add({"robot heading RMSE", fmt::format("{:.2f} deg", truth.robot_heading_deg.rmse()),
+             largest(truth.robot_heading_deg, "deg")});
+  table.add({"ball found", percent(truth.balls_found, truth.balls_true),
+             of(truth.balls_found, truth.balls_true)});
+  table.add({"false balls",
+             fmt::format("{:.3f} a frame", static_cast<double>(truth.balls_false) / frames), ""});
+  table.add({"ball position RMSE", fmt::format("{:.2f} mm", truth.ball_position_mm.rmse()),
+             largest(truth.ball_position_mm, "mm")});
+  return table.to_string(kIndent, kWidth);
+}
+
+}  // namespace
+
+std::string summary_text(const RunSummary& summary, const TruthScore& truth, double elapsed_s) {
+  const double rate =
+      elapsed_s > 0.0 ? static_cast<double>(summary.processed) / elapsed_s : 0.0;
+  std::string text = fmt::format("{} frames in {:.1f} s ({:.1f} fps), {} dropped, {} skipped",
+                                 summary.processed, elapsed_s, rate, summary.dropped,
+                                 summary.skipped);
+  if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
+  text += '\n';
+  if (!summary.first_error.empty()) text += fmt::format("first error: {}\n", summary.first_error);
+  if (summary.processed > 0) text += '\n' + times_text(summary.times);
+  if (!summary.sinks.empty()) text += "\noutputs\n" + sinks_text(summary.sinks);
+  if (truth.frames > 0) {
+    text += fmt::format("\nagainst the ground truth of {} frames\n{}", truth.frames,
+                        truth_text(truth));
+  }
+  return text;
+}
+
+}  // namespace maggic::app

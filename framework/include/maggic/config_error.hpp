@@ -18,14 +18,19 @@ struct Mistake {
   std::string to_string() const;
 };
 
-/// Every mistake found in one reading, in file order.
+/// Every mistake found in one reading, in file order, each once.
 class ConfigError : public std::runtime_error {
  public:
-  /// @param mistakes at least one. `what()` is one line each.
+  /// @param mistakes at least one, in any order. `what()` is one line each.
   explicit ConfigError(std::vector<Mistake> mistakes);
   const std::vector<Mistake>& mistakes() const { return mistakes_; }
 
  private:
+  struct Sorted {
+    std::vector<Mistake> mistakes;
+  };
+  explicit ConfigError(Sorted sorted);
+
   std::vector<Mistake> mistakes_;
 };
 

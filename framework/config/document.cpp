@@ -1,0 +1,154 @@
+#include "maggic/document.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include "config/event_tree.hpp"
+#include "config/wording.hpp"
+
+namespace maggic {
+namespace {
+
+[[noreturn]] void refuse_file(const std::filesystem::path& file, std::string message) {
+  throw ConfigError({{file.string(), 0, 0, std::move(message)}});
+}
+
+/// Length of the well-formed UTF-8 character at the start of `text`; 0 when there is none.
+std::size_t utf8_length(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return 1;
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  // Overlong forms, surrogates and what lies beyond Unicode.
+  const unsigned char second = byte(1);
+  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+      (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) {
+    return 0;
+  }
+  return length;
+}
+
+/// Where `text` stops being text. yaml-cpp guesses encodings, takes byte 4 for the end of the file
+/// and replaces what it cannot read, so nothing of that kind may reach it.
+std::optional<std::size_t> first_bad_byte(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if ((byte < 0x20 && byte != '\t' && byte != '\n') || byte == 0x7F) return i;
+    const std::size_t length = utf8_length(text.substr(i));
+    if (length == 0) return i;
+    i += length;
+  }
+  return std::nullopt;
+}
+
+/// Without byte order mark, lines ended by '\n' alone.
+std::string normalized_text(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
+    out += text[i];
+  }
+  return out;
+}
+
+void parse_events(const std::string& text, const PlaceFinder& places, EventTree& tree,
+                  std::vector<Mistake>& mistakes) {
+  std::istringstream stream(text);
+  try {
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(tree)) {
+    }
+  } catch (const ReadingEnded&) {
+    // The mistake is noted already.
+  } catch (const YAML::Exception& e) {
+    mistakes.push_back(mistake_at(places.at(e.mark.line, e.mark.column),
+                                  fmt::format("found no valid YAML: {}", e.msg)));
+  } catch (const std::exception& e) {
+    mistakes.push_back(
+        mistake_at(places.at(-1, 0), fmt::format("found no valid YAML: {}", e.what())));
+  }
+}
+
+}  // namespace
+
+const Node* Node::find(std::string_view key) const {
+  const auto found = std::ranges::find(entries, key, &Entry::key);
+  return found == entries.end() ? nullptr : &found->value;
+}
+
+Node* Node::find(std::string_view key) {
+  return const_cast<Node*>(std::as_const(*this).find(key));
+}
+
+Node parse_document(std::string_view text, std::string_view file_name,
+                    const DocumentLimits& limits) {
+  if (text.size() > limits.max_bytes) {
+    throw ConfigError({{std::string(file_name), 0, 0,
+                        fmt::format("found {} bytes, expected at most {}", text.size(),
+                                    limits.max_bytes)}});
+  }
+  const std::string clean = normalized_text(text);
+  const PlaceFinder places(clean, file_name);
+  if (const std::optional<std::size_t> bad = first_bad_byte(clean)) {
+    const std::string_view before = std::string_view(clean).substr(0, *bad);
+    const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    const auto line = std::ranges::count(before, '\n');
+    throw ConfigError({mistake_at(
+        places.at(static_cast<int>(line), static_cast<int>(*bad - line_start)),
+        fmt::format("found byte 0x{:02x}, which is no text, expected YAML in UTF-8",
+                    static_cast<unsigned char>(clean[*bad])))});
+  }
+
+  std::vector<Mistake> mistakes;
+  EventTree tree(places, limits, mistakes);
+  parse_events(clean, places, tree, mistakes);
+  if (!mistakes.empty()) throw ConfigError(std::move(mistakes));
+  Node root = tree.take_root();
+  if (root.kind == Node::Kind::kNull) root.place = places.at(0, 0);
+  return root;
+}
+
+Node load_document(const std::filesystem::path& file, const DocumentLimits& limits) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) {
+    refuse_file(file, "found no such file, expected a YAML file");
+  }
+  if (error) refuse_file(file, fmt::format("cannot be read: {}", error.message()));
+  if (std::filesystem::is_directory(status)) {
+    refuse_file(file, "found a directory, expected a YAML file");
+  }
+  // A pipe or a device might never end.
+  if (!std::filesystem::is_regular_file(status)) {
+    refuse_file(file, "found something that is no regular file, expected a YAML file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse_file(file, "cannot be opened for reading, expected a readable YAML file");
+
+  // One byte more than allowed tells a file that is too long, whatever its size claims to be.
+  std::string text(limits.max_bytes + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (stream.bad()) refuse_file(file, "cannot be read to its end");
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > limits.max_bytes) {
+    refuse_file(file, fmt::format("found more than {} bytes, expected at most {}", limits.max_bytes,
+                                  limits.max_bytes));
+  }
+  return parse_document(text, file.string(), limits);
+}
+
+}  // namespace maggic

@@ -1,6 +1,8 @@
 # shellcheck shell=bash
 # Sourced by ./run and ./test: makes a bare Debian 12 ready, configures and builds.
-# Needs `root`, the project's folder.
+
+# The project's folder.
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -73,12 +75,10 @@ build() {
   # On a terminal ninja shows one line that changes; elsewhere it would be hundreds.
   if [[ ! -t 1 ]]; then
     ninja+=(--quiet)
-    # --quiet still tells of every glob and re-configure; a no-op build is to say nothing.
-    [[ -e $folder/.built ]] || say "Building $preset, this takes some minutes the first time"
+    [[ -e $folder/.ninja_log ]] || say "Building $preset, this takes some minutes the first time"
   fi
   if ! "${ninja[@]}" "$@" 1>&2; then
     say "The build of $preset failed, see above."
     exit 1
   fi
-  touch "$folder/.built"
 }

@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/live_line.hpp"
+#include "app/summary.hpp"
+#include "app/text_table.hpp"
+
+namespace maggic::app {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+LiveState half_done() {
+  LiveState state;
+  state.processed = 500;
+  state.total = 1000;
+  state.elapsed_s = 75.0;
+  state.frames_per_second = 6.66;
+  state.robots = 6;
+  state.ball = true;
+  state.frame_path = {0.5, 0.75};
+  return state;
+}
+
+TEST(LiveLine, ShowsBarAndTimeLeftOfAFiniteSource) {
+  EXPECT_THAT(live_line(half_done(), 200),
+              AllOf(HasSubstr("[##########----------]  50% ETA 1:15"), HasSubstr("6.7 fps"),
+                    HasSubstr("6 robots + ball"), HasSubstr("0 dropped"),
+                    HasSubstr("ms p50/p99: frame 0.50/0.75"), HasSubstr("track 0.00/0.00")));
+}
+
+TEST(LiveLine, CountsFramesOfAnEndlessSource) {
+  LiveState state = half_done();
+  state.total.reset();
+  state.ball = false;
+  EXPECT_THAT(live_line(state, 200),
+              AllOf(HasSubstr("frame 500"), HasSubstr("no ball"), Not(HasSubstr("ETA"))));
+}
+
+TEST(LiveLine, NeverGetsWiderThanAsked) {
+  LiveState state = half_done();
+  state.failed = 12;
+  state.skipped = 3;
+  for (int width = 1; width < 250; ++width) {
+    EXPECT_LE(live_line(state, width).size(), static_cast<std::size_t>(width));
+  }
+}
+
+TEST(LiveLine, SurvivesOddNumbers) {
+  LiveState state;
+  state.total = 0;
+  EXPECT_THAT(live_line(state, 80), HasSubstr("frame 0"));
+  state.total = 10;
+  state.processed = 20;
+  EXPECT_THAT(live_line(state, 80), HasSubstr("100%"));
+}
+
+TEST(TextTable, AlignsColumnsByWhatIsSeen) {
+  TextTable table({TextTable::Align::kLeft, TextTable::Align::kRight, TextTable::Align::kLeft});
+  table.add({"a", "1", "first"});
+  table.add({"0 … 2", "100", "second"});
+  EXPECT_EQ(table.to_string(1, 80),
+            " a        1  first\n"
+            " 0 … 2  100  second\n");
+}
+
+TEST(TextTable, WrapsItsLastColumn) {
+  TextTable table({TextTable::Align::kLeft, TextTable::Align::kLeft});
+  table.add({"key", "a rather long meaning that wraps"});
+  EXPECT_EQ(table.to_string(0, 29),
+            "key  a rather long meaning\n"
+            "     that wraps\n");
+}
+
+TEST(Summary, NamesFailedOutputsAndTheirReason) {
+  RunSummary summary;
+  summary.processed = 20;
+  summary.sinks.push_back({"jsonl", 15, 0, 5, "cannot write 'x': No space left on device"});
+  EXPECT_THAT(summary_text(summary, TruthScore(), 2.0),
+              AllOf(HasSubstr("20 frames in 2.0 s (10.0 fps)"),
+                    HasSubstr("jsonl  15  frames, 5 failed: cannot write 'x': No space left"),
+                    Not(HasSubstr("ground truth"))));
+}
+
+TEST(Summary, ComparesWithTheTruthWhereThereIsOne) {
+  RunSummary summary;
+  summary.processed = 10;
+  TruthScore truth;
+  truth.frames = 10;
+  truth.robots_true = 60;
+  truth.robots_found = 59;
+  truth.robots_right_id = 57;
+  truth.robots_false = 5;
+  truth.robot_position_mm.add(3.0);
+  const std::string text = summary_text(summary, truth, 1.0);
+  EXPECT_THAT(text, HasSubstr("ground truth of 10 frames"));
+  EXPECT_THAT(text, HasSubstr("98.33 %  (59 of 60)"));
+  EXPECT_THAT(text, HasSubstr("95.00 %  (57 of 60)"));
+  EXPECT_THAT(text, HasSubstr("0.500 a frame"));
+  EXPECT_THAT(text, HasSubstr("3.00 mm"));
+}
+
+}  // namespace
+}  // namespace maggic::app

@@ -26,18 +26,26 @@ class BlobExtractor {
   std::size_t extract(std::span<const Run> runs, const Limits& limits, std::vector<Blob>& blobs);
 
  private:
-  /// Sums over the pixels of a tree, exact in 64 bits for any frame up to 65535 a side.
+  /// Sums over the pixels of one blob, exact for any frame up to 65535 a side: the largest, of x²,
+  /// stays below 2^63.
   struct Sums {
-    Label label;
-    std::uint16_t min_x, max_x, min_y, max_y;
-    std::uint64_t count, x, y;
-    // Second moments are taken about the tree's first pixel so that they stay exact when moved.
-    std::int64_t origin_x, origin_y;
-    double xx, yy, xy;
+    std::uint64_t count = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+    std::uint16_t min_x = 65535, max_x = 0, min_y = 65535, max_y = 0;
+    Label label = kBackground;
+
+    void add(const Run& run);
+    Blob to_blob() const;
   };
-  std::vector<std::uint32_t> parent_;
-  std::vector<Sums> sums_;
-  std::vector<Blob> scratch_;
+
+  void join_touching(std::span<const Run> runs);
+  std::size_t number_components(std::span<const Run> runs);
+  std::size_t choose(const Limits& limits);
+
+  std::vector<std::uint32_t> parent_;     ///< By run: its tree; after numbering, its component.
+  std::vector<std::uint64_t> area_px_;    ///< By component.
+  std::vector<std::uint32_t> chosen_;     ///< Components that become blobs, ascending.
+  std::vector<std::uint32_t> blob_of_;    ///< By component: index of its blob, or kLeftOut.
+  std::vector<Sums> sums_;                ///< By blob.
 };
 
 }  // namespace maggic

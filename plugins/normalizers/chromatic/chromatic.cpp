@@ -1,0 +1,63 @@
+/// chromatic: every colour at one brightness sum (CNT)
+/// ===================================================
+///
+/// What it does: divides each channel by the sum of the three, 255·c / (R+G+B), truncated; black
+/// stays black. (200, 200, 30) becomes (118, 118, 17).
+/// When to use it: light that changes in strength but not in colour. It also lifts the noise of
+/// dark pixels to full colour, which `weighted` avoids.
+///
+///     normalizer: chromatic
+///
+/// No parameters. Source: MaggicVision, chromatic normalisation transform.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "maggic/plugin.hpp"
+
+namespace {
+
+class Chromatic final : public maggic::ColorNormalizer {
+ public:
+  void normalize(const maggic::ColorBatch& in,
+                 const maggic::MutableColorBatch& out) const override {
+    // In pieces, a loop a channel: the compiler turns each into vector instructions.
+    constexpr std::size_t kPiece = 1024;
+    std::array<float, kPiece> inverse_sums;
+    for (std::size_t start = 0; start < in.size(); start += kPiece) {
+      const std::size_t count = std::min(kPiece, in.size() - start);
+      const std::span<float> piece(inverse_sums.data(), count);
+      invert_sums(in.b.data() + start, in.g.data() + start, in.r.data() + start, piece);
+      share(in.b.data() + start, piece, out.b.data() + start);
+      share(in.g.data() + start, piece, out.g.data() + start);
+      share(in.r.data() + start, piece, out.r.data() + start);
+    }
+  }
+
+ private:
+  static void invert_sums(const std::uint8_t* __restrict b, const std::uint8_t* __restrict g,
+                          const std::uint8_t* __restrict r, std::span<float> inverse_sums) {
+    float* __restrict out = inverse_sums.data();
+    for (std::size_t i = 0; i < inverse_sums.size(); ++i) {
+      const auto sum = static_cast<std::int16_t>(b[i] + g[i] + r[i]);
+      out[i] = 1.0F / static_cast<float>(std::max<std::int16_t>(sum, 1));
+    }
+  }
+
+  // 255·c/sum is a multiple of 1/sum, so half a step more changes no integer part, and half a step
+  // of at least 0.5/765 is far above a float's rounding: truncation is exact.
+  static void share(const std::uint8_t* __restrict in, std::span<const float> inverse_sums,
+                    std::uint8_t* __restrict out) {
+    for (std::size_t i = 0; i < inverse_sums.size(); ++i) {
+      const float share = (255.0F * static_cast<float>(in[i]) + 0.5F) * inverse_sums[i];
+      out[i] = static_cast<std::uint8_t>(static_cast<int>(share));
+    }
+  }
+};
+
+}  // namespace
+
+MAGGIC_PLUGIN(Chromatic, "every colour at one brightness sum: 255·c / (R+G+B)")

@@ -1,0 +1,320 @@
+/// hue_pivots: the colour whose pivot is nearest in hue
+/// ====================================================
+///
+/// What it does: a colour whose normalised channels lie within `gray_threshold` of each other is
+/// background; any other gets the label of the pivot nearest to its hue, around the circle. The
+/// hue is OpenCV's COLOR_BGR2HSV_FULL, 0 … 255, bit for bit. Between two pivots equally near, the
+/// one listed first wins. Rectangles of `exclude` are always background.
+/// When to use it: the Maggic method. One threshold and a few hues instead of a box per colour.
+///
+///     segmenter:
+///       hue_pivots:
+///         gray_threshold: 20
+///         hue_of: original          # or normalized: the colour whose hue is taken
+///         pivots:                   # one hue or several for each colour to be found
+///           red: 0
+///           magenta: [230, 240]
+///         exclude:                  # brown wood, say: dark orange
+///           - {hue: [5, 20], value: [0, 90]}
+///           - {hue: [250, 10], saturation: [0, 60]}   # a span may run through 255 to 0
+///
+/// Without `pivots` those of the paper are taken for the colours the palette has: red 0, orange 7,
+/// yellow 43, green 97, cyan 140, blue 151, magenta 235. Value and saturation are OpenCV's as well,
+/// of the colour the hue is taken of; where a rectangle names both, both must hold.
+/// A colour without a hue (all channels equal) is background at any threshold.
+///
+/// Source: MaggicVision, pivot segmentation. `hue_of: original` is the default because the
+/// authors' program does so.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <opencv2/core/fast_math.hpp>
+
+#include "maggic/plugin.hpp"
+
+namespace {
+
+using maggic::ColorBatch;
+using maggic::kBackground;
+using maggic::Label;
+using maggic::Parameters;
+
+using Pivots = std::vector<std::pair<Label, std::vector<int>>>;
+
+constexpr int kHues = 256;
+
+struct DefaultPivot {
+  std::string_view color;
+  int hue;
+};
+constexpr std::array<DefaultPivot, 7> kDefaultPivots{{{"red", 0},
+                                                      {"orange", 7},
+                                                      {"yellow", 43},
+                                                      {"green", 97},
+                                                      {"cyan", 140},
+                                                      {"blue", 151},
+                                                      {"magenta", 235}}};
+
+/// A rectangle of the hue × value or hue × saturation plane; all three spans must hold.
+struct Exclusion {
+  std::vector<int> hue{0, 255};
+  std::vector<int> value{0, 255};
+  std::vector<int> saturation{0, 255};
+};
+
+constexpr std::size_t kMaxExclusions = 32;
+
+// Colours are worked through in pieces that keep what lies between two loops on the stack.
+constexpr std::size_t kPiece = 1024;
+
+// OpenCV's 8-bit conversion takes the hue as sector · spread + difference of two channels, an
+// integer in [-spread, 5·spread], scaled by a table of rounded 1/spread. So the hue is a function
+// of that numerator and the spread, and one table of all such pairs answers it: row `spread` has
+// 6·spread + 1 entries.
+constexpr std::uint32_t hue_index(std::uint32_t spread, std::int32_t numerator) {
+  return 3 * spread * spread - spread + static_cast<std::uint32_t>(numerator);
+}
+constexpr std::size_t kHueIndices = hue_index(255, 5 * 255) + 1;
+
+std::vector<std::uint8_t> opencv_hues() {
+  constexpr int kShift = 12;
+  std::vector<std::uint8_t> hues(kHueIndices, 0);
+  for (int spread = 1; spread <= 255; ++spread) {
+    const int scale = cvRound((kHues << kShift) / (6.0 * spread));
+    for (int numerator = -spread; numerator <= 5 * spread; ++numerator) {
+      const int hue = (numerator * scale + (1 << (kShift - 1))) >> kShift;
+      hues[hue_index(static_cast<std::uint32_t>(spread), numerator)] =
+          static_cast<std::uint8_t>(std::min(hue < 0 ? hue + kHues : hue, kHues - 1));
+    }
+  }
+  return hues;
+}
+
+std::array<Label, kHues> nearest_pivots(const Pivots& pivots) {
+  std::array<Label, kHues> labels;
+  for (int hue = 0; hue < kHues; ++hue) {
+    int nearest = kHues;
+    for (const auto& [label, pivot_hues] : pivots) {
+      for (const int pivot : pivot_hues) {
+        const int straight = std::abs(hue - pivot);
+        const int distance = std::min(straight, kHues - straight);
+        if (distance < nearest) {
+          nearest = distance;
+          labels[static_cast<std::size_t>(hue)] = label;
+        }
+      }
+    }
+  }
+  return labels;
+}
+
+std::uint8_t largest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
+  return std::max(std::max(b, g), r);
+}
+std::uint8_t smallest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
+  return std::min(std::min(b, g), r);
+}
+
+void hue_indices(const ColorBatch& colors, std::uint32_t* __restrict indices) {
+  const std::uint8_t* __restrict blue = colors.b.data();
+  const std::uint8_t* __restrict green = colors.g.data();
+  const std::uint8_t* __restrict red = colors.r.data();
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const std::uint8_t b = blue[i];
+    const std::uint8_t g = green[i];
+    const std::uint8_t r = red[i];
+    const std::uint8_t value = largest(b, g, r);
+    const auto spread = static_cast<std::int16_t>(value - smallest(b, g, r));
+    const auto of_red = static_cast<std::int16_t>(g - b);
+    const auto of_green = static_cast<std::int16_t>(b - r + 2 * spread);
+    const auto of_blue = static_cast<std::int16_t>(r - g + 4 * spread);
+    const std::int16_t below_red = value == g ? of_green : of_blue;
+    const std::int16_t numerator = value == r ? of_red : below_red;
+    indices[i] = hue_index(static_cast<std::uint32_t>(spread), numerator);
+  }
+}
+
+class HuePivots final : public maggic::ColorSegmenter {
+ public:
+  void describe(Parameters& p) override {
+    p.integer({"gray_threshold",
+               "normalised colours whose channels lie within this of each other are background",
+               "8-bit steps"},
+              gray_threshold_, {0, 255});
+    p.choice({"hue_of", "the colour whose hue is taken"}, hue_of_,
+             {{"original", HueOf::kOriginal}, {"normalized", HueOf::kNormalized}});
+    p.by_color({"pivots",
+                "hues of each colour to be found; absent: red 0, orange 7, yellow 43, green 97, "
+                "cyan 140, blue 151, magenta 235, as far as the palette has them",
+                "1/256 of the hue circle"},
+               pivots_, {1, 255}, [](Parameters& color, std::vector<int>& hues) {
+                 color.list({"", "one hue or several", "1/256 of the hue circle"}, hues, {1, kHues},
+                            [](Parameters& element, int& hue) {
+                              element.integer({"", "a hue", "1/256 of the hue circle"}, hue,
+                                              {0, kHues - 1});
+                            });
+               });
+    check_pivots_differ(p);
+    p.list({"exclude", "rectangles of hue and value or saturation that are always background"},
+           exclusions_, {0, static_cast<int>(kMaxExclusions)}, describe_exclusion);
+  }
+
+  void prepare(const maggic::StageContext& context) override {
+    Pivots pivots = pivots_;
+    if (pivots.empty()) {
+      for (const DefaultPivot& pivot : kDefaultPivots) {
+        if (const auto label = context.palette.find(pivot.color)) {
+          pivots.push_back({*label, {pivot.hue}});
+        }
+      }
+    }
+    if (pivots.empty()) {
+      throw std::invalid_argument(fmt::format(
+          "no pivots given, and the palette ({}) has none of the colours with a default pivot; "
+          "expected pivots for the colours to be found",
+          context.palette.known_names()));
+    }
+    hues_ = opencv_hues();
+    const std::array<Label, kHues> label_of_hue = nearest_pivots(pivots);
+    label_of_index_.resize(hues_.size());
+    std::ranges::transform(hues_, label_of_index_.begin(),
+                           [&](std::uint8_t hue) { return label_of_hue[hue]; });
+    label_of_index_[hue_index(0, 0)] = kBackground;
+    prepare_exclusions();
+  }
+
+  void segment(const ColorBatch& original, const ColorBatch& normalized,
+               std::span<Label> labels) const override {
+    std::array<std::uint32_t, kPiece> indices;
+    for (std::size_t start = 0; start < labels.size(); start += kPiece) {
+      const std::size_t count = std::min(kPiece, labels.size() - start);
+      const auto piece_of = [&](const ColorBatch& batch) {
+        return ColorBatch{batch.b.subspan(start, count), batch.g.subspan(start, count),
+                          batch.r.subspan(start, count)};
+      };
+      const ColorBatch normalized_piece = piece_of(normalized);
+      const ColorBatch hue_piece =
+          hue_of_ == HueOf::kOriginal ? piece_of(original) : normalized_piece;
+      const std::span<Label> piece = labels.subspan(start, count);
+      hue_indices(hue_piece, indices.data());
+      const Label* label_of_index = label_of_index_.data();
+      Label* out = piece.data();
+      for (std::size_t i = 0; i < count; ++i) out[i] = label_of_index[indices[i]];
+      clear_gray(normalized_piece, piece);
+      if (!exclusions_.empty()) clear_excluded(hue_piece, indices.data(), piece);
+    }
+  }
+
+ private:
+  enum class HueOf { kOriginal, kNormalized };
+
+  /// For each of 256 hues, values or saturations the exclusions whose span holds it, a bit each.
+  using SpanBits = std::array<std::uint32_t, 256>;
+
+  void check_pivots_differ(Parameters& p) const {
+    for (auto later = pivots_.begin(); later != pivots_.end(); ++later) {
+      for (auto earlier = pivots_.begin(); earlier != later; ++earlier) {
+        for (const int hue : later->second) {
+          p.check("pivots", std::ranges::count(earlier->second, hue) == 0,
+                  fmt::format("found hue {} for both {} and {}, expected pivots that differ", hue,
+                              p.palette().name(earlier->first), p.palette().name(later->first)));
+        }
+      }
+    }
+  }
+
+  static void describe_exclusion(Parameters& p, Exclusion& exclusion) {
+    const auto describe_span = [&](const maggic::Parameter& what, std::vector<int>& span) {
+      p.list(what, span, {2, 2}, [](Parameters& element, int& end) {
+        element.integer({"", "first, then last, both included", "8-bit steps"}, end, {0, 255});
+      });
+    };
+    const auto check_order = [&](std::string_view key, const std::vector<int>& span) {
+      if (span.size() != 2) return;  // The reader has said so.
+      p.check(key, span[0] <= span[1],
+              fmt::format("found [{}, {}], expected the smaller value first", span[0], span[1]));
+    };
+    describe_span({"hue", "from, to around the circle: [250, 10] runs through 255 and 0",
+                   "1/256 of the hue circle", maggic::Presence::kRequired},
+                  exclusion.hue);
+    describe_span({"value", "of the largest channel; absent: any", "8-bit steps"}, exclusion.value);
+    describe_span({"saturation", "absent: any; where value is given too, both must hold",
+                   "8-bit steps"},
+                  exclusion.saturation);
+    check_order("value", exclusion.value);
+    check_order("saturation", exclusion.saturation);
+  }
+
+  void prepare_exclusions() {
+    constexpr int kShift = 12;
+    for (int value = 1; value < 256; ++value) {
+      saturation_scale_[static_cast<std::size_t>(value)] =
+          cvRound((255 << kShift) / static_cast<double>(value));
+    }
+    for (std::size_t e = 0; e < exclusions_.size(); ++e) {
+      mark(exclusions_[e].hue, e, hue_bits_);
+      mark(exclusions_[e].value, e, value_bits_);
+      mark(exclusions_[e].saturation, e, saturation_bits_);
+    }
+  }
+
+  // A span whose first end is the larger one wraps around; only a hue's may.
+  static void mark(const std::vector<int>& span, std::size_t exclusion, SpanBits& bits) {
+    const int length = (span[1] - span[0] + 256) % 256;
+    for (int i = 0; i <= length; ++i) {
+      bits[static_cast<std::size_t>((span[0] + i) % 256)] |= std::uint32_t{1} << exclusion;
+    }
+  }
+
+  void clear_gray(const ColorBatch& colors, std::span<Label> labels) const {
+    const std::uint8_t* __restrict b = colors.b.data();
+    const std::uint8_t* __restrict g = colors.g.data();
+    const std::uint8_t* __restrict r = colors.r.data();
+    Label* __restrict out = labels.data();
+    const auto threshold = static_cast<std::uint8_t>(gray_threshold_);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const auto spread = static_cast<std::uint8_t>(largest(b[i], g[i], r[i]) -
+                                                    smallest(b[i], g[i], r[i]));
+      out[i] = spread <= threshold ? kBackground : out[i];
+    }
+  }
+
+  void clear_excluded(const ColorBatch& colors, const std::uint32_t* indices,
+                      std::span<Label> labels) const {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
+      const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
+      const int saturation = (spread * saturation_scale_[value] + (1 << 11)) >> 12;
+      const std::uint32_t holding = hue_bits_[hues_[indices[i]]] & value_bits_[value] &
+                                    saturation_bits_[static_cast<std::size_t>(saturation)];
+      labels[i] = holding != 0 ? kBackground : labels[i];
+    }
+  }
+
+  int gray_threshold_ = 20;
+  HueOf hue_of_ = HueOf::kOriginal;
+  Pivots pivots_;
+  std::vector<Exclusion> exclusions_;
+
+  std::vector<std::uint8_t> hues_;      ///< At hue_index.
+  std::vector<Label> label_of_index_;   ///< At hue_index.
+  std::array<int, 256> saturation_scale_{};
+  SpanBits hue_bits_{};
+  SpanBits value_bits_{};
+  SpanBits saturation_bits_{};
+};
+
+}  // namespace
+
+MAGGIC_PLUGIN(HuePivots, "the colour whose pivot is nearest in hue, after a gray filter")

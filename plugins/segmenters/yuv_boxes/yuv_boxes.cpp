@@ -1,0 +1,173 @@
+/// yuv_boxes: a box in YUV space for every colour (the teams' legacy method)
+/// =========================================================================
+///
+/// What it does: turns the colour into YUV and gives it the first listed label whose box holds it,
+/// bounds included; no box, background. The conversion is full-range BT.601 in integers,
+/// Y = (306R+601G+117B)>>10, U = ((-172R-340G+512B)>>10)+128, V = ((512R-419G-83B)>>10)+128.
+/// When to use it: to run a calibration made for the legacy programs, or to compare against them.
+///
+/// The boxes hold the *normalised* colour: with `normalizer: none` that is the legacy method
+/// exactly, and with another normalizer the boxes are set on what that one makes of the picture.
+/// The gray filter looks at the original colour, as the legacy programs do.
+///
+///     segmenter:
+///       yuv_boxes:
+///         gray_threshold: 20        # leave out for no gray filter
+///         boxes:                    # at most 8 colours; where boxes overlap the first one wins
+///           orange: {y: [60, 200], u: [40, 110], v: [170, 240]}
+///           blue: {y: [20, 120], u: [150, 255], v: [60, 130]}
+///
+/// Source: DESIGN facts on the legacy YUV boxes, taken from the 3v3 teams' programs.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "maggic/plugin.hpp"
+
+namespace {
+
+using maggic::ColorBatch;
+using maggic::Label;
+using maggic::Parameters;
+
+struct Box {
+  std::vector<int> y{0, 255};
+  std::vector<int> u{0, 255};
+  std::vector<int> v{0, 255};
+};
+
+void describe_bounds(Parameters& p, std::string_view key, std::string_view meaning,
+                     std::vector<int>& bounds) {
+  p.list({key, meaning, "8-bit steps", maggic::Presence::kRequired}, bounds, {2, 2},
+         [](Parameters& element, int& bound) {
+           element.integer({"", "smallest, then largest value, both included", "8-bit steps"}, bound,
+                           {0, 255});
+         });
+  if (bounds.size() != 2) return;  // The reader has said so.
+  p.check(key, bounds[0] <= bounds[1],
+          fmt::format("found [{}, {}], expected the smaller value first", bounds[0], bounds[1]));
+}
+
+// One side of a box; all ones for a value within it, as a vector comparison answers.
+struct Bounds {
+  std::uint8_t min;
+  std::uint8_t length;
+
+  explicit Bounds(const std::vector<int>& bounds)
+      : min(static_cast<std::uint8_t>(bounds[0])),
+        length(static_cast<std::uint8_t>(bounds[1] - bounds[0])) {}
+
+  std::uint8_t mask(std::uint8_t value) const {
+    return static_cast<std::uint8_t>(value - min) <= length ? 0xFF : 0;
+  }
+};
+
+// Colours are worked through in pieces that keep the planes in between on the stack.
+constexpr std::size_t kPiece = 2048;
+using Plane = std::array<std::uint8_t, kPiece>;
+
+// The conversion in 16 bits, which doubles what a vector register holds. A sum of products is
+// split as 128·p + q, and (128·p + q) >> 10 = (p + (q >> 7)) >> 3 exactly. The results need no
+// clamping: over all colours they stay within 0 … 255.
+void convert_to_yuv(const ColorBatch& colors, std::uint8_t* __restrict y, std::uint8_t* __restrict u,
+                    std::uint8_t* __restrict v) {
+  const std::uint8_t* __restrict blue = colors.b.data();
+  const std::uint8_t* __restrict green = colors.g.data();
+  const std::uint8_t* __restrict red = colors.r.data();
+  const auto shifted = [](int p, int q) {
+    const auto fraction = static_cast<std::int16_t>(static_cast<std::int16_t>(q) >> 7);
+    return static_cast<std::int16_t>(static_cast<std::int16_t>(p + fraction) >> 3);
+  };
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const std::int16_t b = blue[i];
+    const std::int16_t g = green[i];
+    const std::int16_t r = red[i];
+    y[i] = static_cast<std::uint8_t>(shifted(2 * r + 5 * g + b, 50 * r - 39 * g - 11 * b));
+    u[i] = static_cast<std::uint8_t>(shifted(4 * b - r - 3 * g, 44 * (g - r)) + 128);
+    v[i] = static_cast<std::uint8_t>(shifted(4 * r - 3 * g - b, 45 * b - 35 * g) + 128);
+  }
+}
+
+class YuvBoxes final : public maggic::ColorSegmenter {
+ public:
+  void describe(Parameters& p) override {
+    p.integer({"gray_threshold",
+               "original colours whose channels lie within this of each other are background; "
+               "absent: no gray filter",
+               "8-bit steps"},
+              gray_threshold_, {0, 255});
+    p.by_color({"boxes", "what each colour may be, the first listed box that holds a pixel wins", "",
+                maggic::Presence::kRequired},
+               boxes_, {1, 8}, [](Parameters& box_parameters, Box& box) {
+                 describe_bounds(box_parameters, "y", "brightness", box.y);
+                 describe_bounds(box_parameters, "u", "blue difference", box.u);
+                 describe_bounds(box_parameters, "v", "red difference", box.v);
+               });
+  }
+
+  void segment(const ColorBatch& original, const ColorBatch& normalized,
+               std::span<Label> labels) const override {
+    Plane y;
+    Plane u;
+    Plane v;
+    for (std::size_t start = 0; start < labels.size(); start += kPiece) {
+      const std::size_t count = std::min(kPiece, labels.size() - start);
+      const std::span<Label> piece = labels.subspan(start, count);
+      convert_to_yuv({normalized.b.subspan(start, count), normalized.g.subspan(start, count),
+                      normalized.r.subspan(start, count)},
+                     y.data(), u.data(), v.data());
+      std::ranges::fill(piece, maggic::kBackground);
+      // From the last box to the first, so that the first one has the last word.
+      for (auto box = boxes_.rbegin(); box != boxes_.rend(); ++box) {
+        paint_inside(box->second, box->first, y, u, v, piece);
+      }
+      if (gray_threshold_) {
+        clear_gray({original.b.subspan(start, count), original.g.subspan(start, count),
+                    original.r.subspan(start, count)},
+                   *gray_threshold_, piece);
+      }
+    }
+  }
+
+ private:
+  static void paint_inside(const Box& box, Label label, const Plane& y, const Plane& u,
+                           const Plane& v, std::span<Label> labels) {
+    const Bounds in_y(box.y);
+    const Bounds in_u(box.u);
+    const Bounds in_v(box.v);
+    Label* __restrict out = labels.data();
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const std::uint8_t inside = in_y.mask(y[i]) & in_u.mask(u[i]) & in_v.mask(v[i]);
+      out[i] = inside != 0 ? label : out[i];
+    }
+  }
+
+  static void clear_gray(const ColorBatch& colors, int threshold, std::span<Label> labels) {
+    const std::uint8_t* __restrict b = colors.b.data();
+    const std::uint8_t* __restrict g = colors.g.data();
+    const std::uint8_t* __restrict r = colors.r.data();
+    Label* __restrict out = labels.data();
+    const auto limit = static_cast<std::uint8_t>(threshold);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      const std::uint8_t largest = std::max(std::max(b[i], g[i]), r[i]);
+      const std::uint8_t smallest = std::min(std::min(b[i], g[i]), r[i]);
+      const auto spread = static_cast<std::uint8_t>(largest - smallest);
+      out[i] = spread <= limit ? maggic::kBackground : out[i];
+    }
+  }
+
+  std::optional<int> gray_threshold_;
+  std::vector<std::pair<Label, Box>> boxes_;
+};
+
+}  // namespace
+
+MAGGIC_PLUGIN(YuvBoxes, "a box in YUV space for every colour (the legacy method)")

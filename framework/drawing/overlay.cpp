@@ -14,7 +14,7 @@ constexpr int kSmallWidthPx = 960;
 constexpr int kCaptionHeightPx = 26;  // even, so that the canvas stays even
 constexpr int kSubpixelBits = 4;      // cv's drawing functions take fixed-point coordinates
 const cv::Scalar kRim(20, 20, 20);
-const cv::Scalar kFieldColor(235, 235, 235);
+const cv::Scalar kFieldColor(255, 190, 220);  // unlike any field's own lines and any tag
 const cv::Scalar kPaper(245, 245, 245);
 const cv::Scalar kBallColor(0, 140, 255);
 const cv::Scalar kBlueTeam(255, 150, 60);  // lighter than the tag's blue, to be read on black
@@ -131,8 +131,8 @@ void Overlay::dashed_circle(cv::Mat& out, cv::Point2d center_px, double radius_p
 void Overlay::text(cv::Mat& out, const std::string& what, cv::Point2d canvas_px, double size,
                    cv::Scalar color) {
   const cv::Point origin(cvRound(canvas_px.x), cvRound(canvas_px.y));
-  cv::putText(out, what, origin, cv::FONT_HERSHEY_SIMPLEX, size, kRim, 4, cv::LINE_AA);
-  cv::putText(out, what, origin, cv::FONT_HERSHEY_SIMPLEX, size, color, 1, cv::LINE_AA);
+  cv::putText(out, what, origin, cv::FONT_HERSHEY_SIMPLEX, size, kRim, 5, cv::LINE_AA);
+  cv::putText(out, what, origin, cv::FONT_HERSHEY_SIMPLEX, size, color, 2, cv::LINE_AA);
 }
 
 cv::Scalar Overlay::color_of(Label label) const {
@@ -210,7 +210,7 @@ void Overlay::draw_robot(cv::Mat& out, const RobotDetection& robot, const Field&
   const std::string id = robot.id == kUnknownId ? "?" : std::to_string(robot.id);
   const std::string name = (robot.team == Team::kBlue ? "B" : "Y") + id;
   const cv::Point2d label_px = (robot.centroid_px + cv::Point2d(0.62, -0.72) * radius_px) * scale_;
-  text(out, name, label_px, 0.6, color);
+  text(out, name, label_px, 0.7, color);
 }
 
 void Overlay::draw_ball(cv::Mat& out, const FrameResult& result, const Field& field) {

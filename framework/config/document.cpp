@@ -11,6 +11,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include "config/characters.hpp"
 #include "config/event_tree.hpp"
 #include "config/wording.hpp"
 
@@ -21,33 +22,14 @@ namespace {
   throw ConfigError({{file.string(), 0, 0, std::move(message)}});
 }
 
-/// Length of the well-formed UTF-8 character at the start of `text`; 0 when there is none.
-std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  // Overlong forms, surrogates and what lies beyond Unicode.
-  const unsigned char second = byte(1);
-  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-      (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) {
-    return 0;
-  }
-  return length;
-}
-
 /// Where `text` stops being text. yaml-cpp guesses encodings, takes byte 4 for the end of the file
 /// and replaces what it cannot read, so nothing of that kind may reach it.
 std::optional<std::size_t> first_bad_byte(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte < 0x20 && byte != '\t' && byte != '\n') || byte == 0x7F) return i;
-    const std::size_t length = utf8_length(text.substr(i));
-    if (length == 0) return i;
+    const std::string_view rest = text.substr(i);
+    const std::size_t length = utf8_length(rest);
+    const bool is_line_layout = text[i] == '\t' || text[i] == '\n';
+    if (length == 0 || (!is_line_layout && invisible_length(rest) != 0)) return i;
     i += length;
   }
   return std::nullopt;

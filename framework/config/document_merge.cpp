@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "config/characters.hpp"
 #include "config/wording.hpp"
 #include "maggic/document.hpp"
 
@@ -45,11 +46,6 @@ struct PathElement {
   std::string_view text;
   int column = 1;
 };
-
-std::size_t characters_in(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
 
 std::vector<PathElement> split_path(std::string_view path) {
   std::vector<PathElement> elements;

@@ -6,9 +6,23 @@
 #include <fmt/format.h>
 #include <yaml-cpp/mark.h>
 
+#include "config/characters.hpp"
 #include "config/wording.hpp"
 
 namespace maggic {
+namespace {
+
+/// yaml-cpp 0.7 turns the escapes \N and \_ into bytes that are no UTF-8.
+bool is_storable(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    if (length == 0 || text.front() == '\0') return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace
 
 PlaceFinder::PlaceFinder(std::string_view text, std::string_view file_name)
     : file_(file_name), line_starts_{0} {
@@ -16,8 +30,7 @@ PlaceFinder::PlaceFinder(std::string_view text, std::string_view file_name)
   int characters = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     characters_before_.push_back(characters);
-    const bool continues_character = (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
-    if (!continues_character) ++characters;
+    if (!is_continuation(text[i])) ++characters;
     if (text[i] == '\n') line_starts_.push_back(i + 1);
   }
   characters_before_.push_back(characters);
@@ -78,8 +91,8 @@ void EventTree::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::a
   const Place here = place(mark);
   const bool quoted = tag == "!";
   if (!quoted) reject_tag(here, tag);
-  if (value.find('\0') != std::string::npos) {
-    note(here, "found a NUL character, expected text without");
+  if (!is_storable(value)) {
+    note(here, "found an escape for NUL, \\N or \\_, expected text without them");
   }
   Subtree tree;
   tree.node.kind = Node::Kind::kScalar;

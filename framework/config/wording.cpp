@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "config/characters.hpp"
+
 namespace maggic {
 namespace {
 
@@ -30,8 +32,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 }  // namespace
 
 std::string quoted_excerpt(std::string_view text) {
@@ -39,14 +39,12 @@ std::string quoted_excerpt(std::string_view text) {
   std::size_t end = std::min(text.size(), kLongest);
   while (end < text.size() && end > 0 && is_continuation(text[end])) --end;
   std::string out = "'";
-  for (const char c : text.substr(0, end)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '\n') {
-      out += "\\n";
-    } else if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\x{:02x}", byte);
+  for (std::size_t i = 0; i < end; ++i) {
+    if (const std::size_t length = invisible_length(text.substr(i)); length != 0) {
+      out += escaped(text.substr(i, length));
+      i += length - 1;
     } else {
-      out += c;
+      out += text[i];
     }
   }
   if (end < text.size()) out += "…";

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "config/characters.hpp"
+
 namespace maggic {
 namespace {
 
@@ -28,8 +30,7 @@ bool can_stand_plain(std::string_view text, Context context) {
   }
   const std::string_view refused = context == Context::kFlow ? ",[]{}?:#" : "";
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (byte < 0x20 || byte == 0x7F) return false;
+    if (invisible_length(text.substr(i)) != 0) return false;
     if (refused.find(text[i]) != std::string_view::npos) return false;
     const char next = i + 1 < text.size() ? text[i + 1] : '\0';
     if ((text[i] == ':' && next == ' ') || (text[i] == ' ' && next == '#')) return false;
@@ -39,20 +40,14 @@ bool can_stand_plain(std::string_view text, Context context) {
 
 std::string double_quoted(std::string_view text) {
   std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (c == '\n') {
-      out += "\\n";
-    } else if (c == '\t') {
-      out += "\\t";
-    } else if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\x{:02x}", byte);
-    } else {
-      out += c;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (const std::size_t length = invisible_length(text.substr(i)); length != 0) {
+      out += escaped(text.substr(i, length));
+      i += length - 1;
+      continue;
     }
+    if (text[i] == '"' || text[i] == '\\') out += '\\';
+    out += text[i];
   }
   return out + '"';
 }

@@ -124,6 +124,8 @@ class Parameters {
     virtual std::size_t size() const = 0;
     virtual void reset(std::size_t count) = 0;
     virtual void describe(std::size_t index, Parameters& parameters) = 0;
+    /// Describes an element as `reset` would make it; the list stays as it is.
+    virtual void describe_fresh(Parameters& parameters) = 0;
   };
   /// The same for a colour map: `reset`, then `label(i)` is set before `describe(i)`.
   class ColorElements : public Elements {
@@ -166,6 +168,10 @@ class Parameters {
     std::size_t size() const override { return values_.size(); }
     void reset(std::size_t count) override { values_.assign(count, T{}); }
     void describe(std::size_t index, Parameters& p) override { describe_(p, values_[index]); }
+    void describe_fresh(Parameters& p) override {
+      T fresh{};
+      describe_(p, fresh);
+    }
 
    private:
     std::vector<T>& values_;
@@ -180,6 +186,10 @@ class Parameters {
     void reset(std::size_t count) override { values_.assign(count, {kBackground, T{}}); }
     void describe(std::size_t index, Parameters& p) override {
       describe_(p, values_[index].second);
+    }
+    void describe_fresh(Parameters& p) override {
+      T fresh{};
+      describe_(p, fresh);
     }
     Label label(std::size_t index) const override { return values_[index].first; }
     void set_label(std::size_t index, Label label) override { values_[index].first = label; }

@@ -1,9 +1,9 @@
 #include "plugin/elf_file.hpp"
 
+#include <dlfcn.h>
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <dlfcn.h>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -16,7 +16,7 @@ namespace {
 [[noreturn]] void refuse(std::string reason) { throw std::runtime_error(std::move(reason)); }
 
 /// The running program's own header, as mapped by the loader: what machine "this one" is.
-const ElfW(Ehdr)& own_header() {
+const ElfW(Ehdr) & own_header() {
   static const ElfW(Ehdr)* const header = [] {
     static const char anchor = 0;
     Dl_info info{};
@@ -31,7 +31,8 @@ std::uint64_t size_of_regular_file(const std::filesystem::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (status.type() == fs::file_type::not_found) refuse("no such file");
-  if (status.type() == fs::file_type::directory) refuse("is a directory, expected a shared library");
+  if (status.type() == fs::file_type::directory)
+    refuse("is a directory, expected a shared library");
   if (status.type() == fs::file_type::none) refuse("cannot be looked at: " + error.message());
   if (!fs::is_regular_file(status)) refuse("is no regular file, expected a shared library");
   const std::uintmax_t size = fs::file_size(file, error);
@@ -73,7 +74,8 @@ void ElfFile::check_header() const {
   const auto& ident = header_.e_ident;
   if (file_size_ == 0) refuse("is empty, expected a shared library");
   const auto magic_length = std::min<std::uint64_t>(file_size_, SELFMAG);
-  if (std::memcmp(ident, ELFMAG, magic_length) != 0) refuse("is no ELF file, expected a shared library");
+  if (std::memcmp(ident, ELFMAG, magic_length) != 0)
+    refuse("is no ELF file, expected a shared library");
   if (file_size_ < sizeof(header_)) {
     refuse(fmt::format("is cut short: {} bytes, expected a header of {}", file_size_,
                        sizeof(header_)));
@@ -112,8 +114,7 @@ void ElfFile::check_extents() const {
   }
 }
 
-void ElfFile::expect_inside(std::string_view what, std::uint64_t offset,
-                            std::uint64_t size) const {
+void ElfFile::expect_inside(std::string_view what, std::uint64_t offset, std::uint64_t size) const {
   if (size <= file_size_ && offset <= file_size_ - size) return;
   refuse(fmt::format("is cut short or damaged: {} of {} bytes at {}, in a file of {} bytes", what,
                      size, offset, file_size_));
@@ -142,7 +143,7 @@ std::vector<std::string> ElfFile::exported_symbols() {
   names.push_back('\0');  // a damaged table need not end in one
 
   std::vector<std::string> exported;
-  for (const ElfW(Sym)& symbol : symbols) {
+  for (const ElfW(Sym) & symbol : symbols) {
     const unsigned binding = symbol.st_info >> 4;
     if (binding == STB_LOCAL || symbol.st_shndx == SHN_UNDEF) continue;
     if (symbol.st_name >= names.size()) refuse("has a damaged symbol table: a name is outside");

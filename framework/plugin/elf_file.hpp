@@ -1,11 +1,11 @@
 #pragma once
 /// What can be known about a shared library without running a line of it.
 
-#include <cstdint>
 #include <elf.h>
+#include <link.h>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <link.h>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "plugin/plugin_library.hpp"
 
-#include <algorithm>
 #include <dlfcn.h>
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <string_view>

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
-#include <boost/dll/runtime_symbol_info.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <boost/dll/runtime_symbol_info.hpp>
 
 #include "plugin/plugin_library.hpp"
 

@@ -112,6 +112,13 @@ void TagLayout::describe(Parameters& p) {
           presence},
          patches, {2, static_cast<int>(kMaxPatches)},
          [](Parameters& element, TagPatch& patch) { patch.describe(element); });
+  // A missing or unreadable list has been reported as such; rules about it would only repeat that.
+  if (!patches.empty()) check_patches(p, patches);
+  describe_identity(p);
+}
+
+void TagLayout::describe_identity(Parameters& p) {
+  const Presence presence = ids.empty() ? Presence::kRequired : Presence::kOptional;
   p.list({"ids", "which player colours stand for which id", "", presence}, ids, {1, 1000},
          [](Parameters& element, TagId& entry) {
            element.integer({"id", "number of the robot", "", Presence::kRequired}, entry.id,
@@ -126,27 +133,27 @@ void TagLayout::describe(Parameters& p) {
   p.number({"heading_offset_deg", "added to the heading the patches give, counter-clockwise",
             "degrees"},
            heading_offset_deg, {-360.0, 360.0});
-  // A missing or unreadable list has been reported as such; rules about it would only repeat that.
-  if (patches.empty()) return;
-  check_patches(p, patches);
-  check_ids(p, ids, patches.size() - 1);
+  if (!patches.empty()) check_ids(p, ids, patches.size() - 1);
 }
 
-TagLayout two_tag_layout(const Palette& palette) {
+TagLayout two_tag_layout(const Palette& palette, double side_mm) {
+  const cv::Size2d half(side_mm / 2.0, side_mm);
   return {"two_tag",
-          {rectangle(PatchRole::kTeam, {-17.5, 0.0}, {35.0, 70.0}),
-           rectangle(PatchRole::kPlayer, {17.5, 0.0}, {35.0, 70.0})},
+          {rectangle(PatchRole::kTeam, {-side_mm / 4.0, 0.0}, half),
+           rectangle(PatchRole::kPlayer, {side_mm / 4.0, 0.0}, half)},
           id_table(palette, {{"red"}, {"green"}, {"cyan"}, {"magenta"}, {"purple"}}),
           0.0};
 }
 
-TagLayout three_tag_layout(const Palette& palette) {
+TagLayout three_tag_layout(const Palette& palette, double side_mm, double square_mm) {
+  const double quarter = side_mm / 4.0;
+  const cv::Size2d square(square_mm, square_mm);
   // With the team half on top in the picture the robot faces down, so the left square in the
   // picture is on the robot's right.
   return {"three_tag",
-          {rectangle(PatchRole::kTeam, {-17.5, 0.0}, {35.0, 70.0}),
-           rectangle(PatchRole::kPlayer, {17.5, -17.5}, {33.0, 33.0}),
-           rectangle(PatchRole::kPlayer, {17.5, 17.5}, {33.0, 33.0})},
+          {rectangle(PatchRole::kTeam, {-quarter, 0.0}, {side_mm / 2.0, side_mm}),
+           rectangle(PatchRole::kPlayer, {quarter, -quarter}, square),
+           rectangle(PatchRole::kPlayer, {quarter, quarter}, square)},
           id_table(palette, {{"red", "green"},
                              {"red", "cyan"},
                              {"green", "red"},

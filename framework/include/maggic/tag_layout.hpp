@@ -22,7 +22,7 @@ struct TagPatch {
   cv::Point2d center_mm;
   /// Extent along x and y of the robot frame; for a disc both are its diameter. A patch that has
   /// a bite taken out (big square with a corner patch) gives `area_mm2` and the centroid instead.
-  cv::Size2d size_mm;
+  cv::Size2d size_mm{35.0, 35.0};
   double area_mm2 = 0.0;  ///< 0: computed from shape and size.
 
   double expected_area_mm2() const;
@@ -46,15 +46,18 @@ struct TagLayout {
   /// Declares every part, checks that patches and ids fit each other, and rejects an id or a
   /// colour combination named twice.
   void describe(Parameters& parameters);
+  /// Declares and checks `ids` and `heading_offset_deg` alone, for trackers of a fixed pattern.
+  void describe_identity(Parameters& parameters);
 };
 
-/// Two half-tags of 70 × 35 mm: team colour behind, player colour in front. Ids 0 … 4: red,
-/// green, cyan, magenta, purple.
-TagLayout two_tag_layout(const Palette& palette);
+/// Two half-tags that make a square of `side_mm`: team colour behind, player colour in front.
+/// Ids 0 … 4: red, green, cyan, magenta, purple; those whose colours the palette lacks are left
+/// out.
+TagLayout two_tag_layout(const Palette& palette, double side_mm = 70.0);
 
-/// Team half of 70 × 35 mm behind, two 33 mm player squares in front. Player patches are listed
-/// as seen with the team half on top: left, then right. Ids 0 … 9 as in the extended pattern: RG, RC, GR, GC, GM, CR, CG,
-/// CM, MG, MC.
-TagLayout three_tag_layout(const Palette& palette);
+/// Team half of a square of `side_mm` behind, two player squares of `square_mm` in front. Player
+/// patches are listed as seen with the team half on top: left, then right. Ids 0 … 9 as in the
+/// extended pattern: RG, RC, GR, GC, GM, CR, CG, CM, MG, MC.
+TagLayout three_tag_layout(const Palette& palette, double side_mm = 70.0, double square_mm = 33.0);
 
 }  // namespace maggic

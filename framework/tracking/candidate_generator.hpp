@@ -1,0 +1,68 @@
+#pragma once
+/// Every robot the blobs of a frame could show, judged by geometry and colour alone.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "maggic/tracking_engine.hpp"
+#include "tracking/candidate.hpp"
+#include "tracking/layout_model.hpp"
+#include "tracking/metric_blob.hpp"
+
+namespace maggic::tracking {
+
+/// Blobs of one frame in millimetres, at the height of the tags, sorted by x.
+class TagBlobs {
+ public:
+  TagBlobs(const TrackingParameters& parameters, std::span<const LayoutModel> layouts);
+
+  /// Takes the blobs that could be patches. Those twice too large become two halves as well.
+  void load(std::span<const Blob> blobs, const Field& field);
+
+  const std::vector<MetricBlob>& all() const { return blobs_; }
+  /// Indices [first, last) of the blobs with x within `reach_mm` of `x_mm`.
+  std::pair<int, int> within_x(double x_mm, double reach_mm) const;
+
+  bool is_team_color(Label label) const;
+  /// Whether a robot with unlisted colours may show `label` on a player patch.
+  bool may_be_player(Label label) const;
+  /// Area within the limits for the patch.
+  bool fits_area(const PatchModel& patch, const MetricBlob& blob) const;
+
+ private:
+  void add_halves(const MetricBlob& blob);
+
+  const TrackingParameters& parameters_;
+  std::span<const LayoutModel> layouts_;
+  double min_area_mm2_ = 0.0;
+  double max_area_mm2_ = 0.0;
+  std::array<bool, 256> listed_{};
+  std::vector<MetricBlob> blobs_;
+};
+
+/// Builds candidates from a team patch and at least one player patch.
+class CandidateGenerator {
+ public:
+  CandidateGenerator(const TrackingParameters& parameters, std::span<const LayoutModel> layouts)
+      : parameters_(parameters), layouts_(layouts) {}
+
+  /// Appends to `candidates`.
+  void generate(const TagBlobs& blobs, std::vector<Candidate>& candidates);
+
+ private:
+  void extend(const TagBlobs& blobs, Candidate& partial, int patch,
+              std::vector<Candidate>& candidates);
+  bool keeps_distances(const TagBlobs& blobs, const Candidate& partial, int patch,
+                       const MetricBlob& blob) const;
+  bool finish(const TagBlobs& blobs, Candidate& candidate) const;
+  bool read_colors(const TagBlobs& blobs, Candidate& candidate) const;
+  bool fit(const TagBlobs& blobs, Candidate& candidate) const;
+
+  const TrackingParameters& parameters_;
+  std::span<const LayoutModel> layouts_;
+  int first_near_ = 0;
+  int last_near_ = 0;
+};
+
+}  // namespace maggic::tracking

@@ -1,0 +1,352 @@
+#include "tracking/claim_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/container/static_vector.hpp>
+
+#include "tracking/fit_score.hpp"
+
+namespace maggic::tracking {
+namespace {
+
+// A robot unseen for longer may have been replaced: its id is no longer held against colours.
+constexpr int kHoldFrames = 5;
+constexpr double kMaxHoldDistanceMm = 60.0;
+// Sightings without the team patch, or of it alone, live on the prediction being good.
+constexpr int kMaxBlindFrames = 8;
+constexpr double kMaxBlindGateMm = 40.0;
+constexpr double kBlindCost = 2.0;
+constexpr int kSteadyFrames = 3;
+constexpr double kMaxUnknownTeamCost = 4.0;
+
+}  // namespace
+
+void ClaimBuilder::build(const TagBlobs& blobs, std::span<const RobotTrack> tracks,
+                         cv::Point2d field_limit_mm, std::vector<Candidate>& candidates) {
+  blobs_ = &blobs;
+  tracks_ = tracks;
+  field_limit_mm_ = field_limit_mm;
+  candidates_ = &candidates;
+  claims_.clear();
+  scores_.clear();
+  groups_.clear();
+  const int with_geometry = static_cast<int>(candidates.size());
+  for (int c = 0; c < with_geometry; ++c) {
+    claim_by_colors(c);
+    claim_by_motion(c);
+    claim_as_unknown(c);
+  }
+  for (int t = 0; t < static_cast<int>(tracks.size()); ++t) {
+    claim_team_patch_of(t);
+    claim_player_patches_of(t);
+  }
+  if (parameters_.report_unknown) {
+    for (int b = 0; b < static_cast<int>(blobs.all().size()); ++b) claim_team_patch_alone(b);
+  }
+  find_conflicts();
+}
+
+void ClaimBuilder::add(int candidate, int id, int track, double score) {
+  if (score <= 0.0) return;
+  const int team_blob = (*candidates_)[static_cast<std::size_t>(candidate)].blobs[0];
+  claims_.push_back({candidate, id, track});
+  scores_.push_back(score);
+  // At most one claim on a team patch holds, and at most one on a track that lacks its own.
+  groups_.push_back(team_blob >= 0 ? team_blob : static_cast<int>(blobs_->all().size()) + track);
+}
+
+void ClaimBuilder::claim_by_colors(int index) {
+  const Candidate& candidate = (*candidates_)[static_cast<std::size_t>(index)];
+  if (candidate.color_id == kUnknownId) return;
+  double score = candidate.score + kListedScore;
+  int own = -1;
+  bool contrary = false;
+  for (int t = 0; t < static_cast<int>(tracks_.size()); ++t) {
+    const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
+    if (track.team != candidate.team || !is_gated(track, candidate)) continue;
+    if (track.id == candidate.color_id) {
+      own = t;
+      score += near_score(track, candidate);
+    } else if (track.seen_frames >= kSteadyFrames && track.missed_frames < kHoldFrames &&
+               distance_mm(track, candidate) < kMaxHoldDistanceMm &&
+               !track.is_refuted_by(candidate.color_id)) {
+      contrary = true;
+    }
+  }
+  if (own < 0 && contrary) score -= kContraryCost;
+  add(index, candidate.color_id, own, score);
+}
+
+void ClaimBuilder::claim_by_motion(int index) {
+  const Candidate& candidate = (*candidates_)[static_cast<std::size_t>(index)];
+  for (int t = 0; t < static_cast<int>(tracks_.size()); ++t) {
+    const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
+    const bool colors_say_so = candidate.complete && track.id == candidate.color_id;
+    if (track.team != candidate.team || (colors_say_so && track.id != kUnknownId)) continue;
+    if (track.missed_frames >= kHoldFrames || !is_gated(track, candidate) ||
+        distance_mm(track, candidate) > kMaxHoldDistanceMm) {
+      continue;
+    }
+    double score = candidate.score + near_score(track, candidate);
+    if (track.id == kUnknownId) {
+      score -= kUnlistedCost;
+    } else if (!shows_colors_of(track, candidate)) {
+      score -= kHeldCost;
+    }
+    if (track.layout != candidate.layout) score -= kHeldCost;
+    if (candidate.complete && !colors_say_so && track.is_refuted_by(candidate.color_id)) {
+      score -= kContraryCost;
+    }
+    add(index, track.id, t, score);
+  }
+}
+
+void ClaimBuilder::claim_as_unknown(int index) {
+  const Candidate& candidate = (*candidates_)[static_cast<std::size_t>(index)];
+  if (!parameters_.report_unknown || candidate.has_half) return;
+  if (std::abs(candidate.pose.position_mm.x) > field_limit_mm_.x ||
+      std::abs(candidate.pose.position_mm.y) > field_limit_mm_.y) {
+    return;
+  }
+  const double team_cost = shape_cost(layout_at(candidate.layout).team(),
+                                      blob_at(candidate.blobs[0]), &candidate.pose.heading_rad);
+  if (team_cost > kMaxUnknownTeamCost) return;
+  add(index, kUnknownId, -1, candidate.score - kUnlistedCost);
+}
+
+void ClaimBuilder::claim_team_patch_alone(int b) {
+  const MetricBlob& blob = blob_at(b);
+  if (!blobs_->is_team_color(blob.label) || std::abs(blob.position_mm.x) > field_limit_mm_.x ||
+      std::abs(blob.position_mm.y) > field_limit_mm_.y) {
+    return;
+  }
+  for (int l = 0; l < static_cast<int>(layouts_.size()); ++l) {
+    const PatchModel& patch = layout_at(l).team();
+    if (!blobs_->fits_area(patch, blob) || !is_convincing_alone(patch, blob)) continue;
+    Candidate candidate;
+    candidate.team = blob.label == parameters_.blue_team_color ? Team::kBlue : Team::kYellow;
+    candidate.layout = l;
+    candidate.blobs[0] = b;
+    candidate.found = 1;
+    candidate.heading_known = false;
+    // Front and back look alike: the robot is as likely on one side of the patch as on the other.
+    candidate.pose.position_mm = blob.position_mm;
+    if (patch.is_elongated()) {
+      candidate.pose.heading_rad = wrap_line(blob.axis_rad - patch.axis_rad);
+      candidate.heading_sigmas = 4.0;
+    } else {
+      candidate.heading_sigmas = 0.0;
+    }
+    candidate.position_sigmas = 2.0;
+    candidate.score = kPatchScore - shape_cost(patch, blob, nullptr);
+    candidates_->push_back(candidate);
+    add(static_cast<int>(candidates_->size()) - 1, kUnknownId, -1,
+        candidate.score - kUnlistedCost - kBlindCost);
+    return;
+  }
+}
+
+void ClaimBuilder::claim_team_patch_of(int t) {
+  const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
+  const PatchModel& patch = layout_at(track.layout).team();
+  if (track.missed_frames >= kMaxBlindFrames) return;
+  const Label label =
+      track.team == Team::kBlue ? parameters_.blue_team_color : parameters_.yellow_team_color;
+  const cv::Point2d offset_mm = track.heading_known ? patch.center_mm : cv::Point2d();
+  const cv::Point2d expected = track.pose().apply(offset_mm);
+  const double gate = std::min(track.gate_mm(parameters_), kMaxBlindGateMm);
+  const auto [first, last] = blobs_->within_x(expected.x, gate);
+  for (int b = first; b < last; ++b) {
+    const MetricBlob& blob = blob_at(b);
+    const cv::Point2d off = blob.position_mm - expected;
+    if (blob.label != label || blob.is_half() || !blobs_->fits_area(patch, blob) ||
+        std::hypot(off.x, off.y) > gate) {
+      continue;
+    }
+    Candidate candidate;
+    candidate.team = track.team;
+    candidate.layout = track.layout;
+    candidate.blobs[0] = b;
+    candidate.found = 1;
+    candidate.heading_known = track.heading_known;
+    candidate.pose.heading_rad = track.pose().heading_rad;
+    candidate.heading_sigmas = 0.0;
+    if (patch.is_elongated() && blob.elongation() > 1.4) {
+      candidate.pose.heading_rad +=
+          wrap_line(blob.axis_rad - patch.axis_rad - candidate.pose.heading_rad);
+      candidate.heading_sigmas = 3.0;
+    }
+    candidate.pose.position_mm = blob.position_mm;
+    candidate.pose.position_mm -= candidate.pose.apply(offset_mm) - blob.position_mm;
+    candidate.position_sigmas = 2.0;
+    candidate.score = kPatchScore - shape_cost(patch, blob, &candidate.pose.heading_rad);
+    candidates_->push_back(candidate);
+    add(static_cast<int>(candidates_->size()) - 1, track.id, t,
+        candidate.score + near_score(track, candidate));
+  }
+}
+
+void ClaimBuilder::claim_player_patches_of(int t) {
+  const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
+  const LayoutModel& layout = layout_at(track.layout);
+  const TagId* entry = layout.entry(track.id);
+  if (!entry || !track.heading_known || track.missed_frames >= kMaxBlindFrames) return;
+  const double gate = std::min(track.gate_mm(parameters_), kMaxBlindGateMm);
+  Candidate candidate;
+  boost::container::static_vector<PointPair, kMaxPatches> pairs;
+  std::size_t seen_patch = 0;
+  for (std::size_t k = 1; k < layout.patches.size(); ++k) {
+    const cv::Point2d expected = track.pose().apply(layout.patches[k].center_mm);
+    const auto [first, last] = blobs_->within_x(expected.x, gate);
+    double nearest = gate;
+    for (int b = first; b < last; ++b) {
+      const MetricBlob& blob = blob_at(b);
+      const cv::Point2d off = blob.position_mm - expected;
+      const double distance = std::hypot(off.x, off.y);
+      const auto& taken = candidate.blobs;
+      if (blob.label != entry->colors[k - 1] || blob.is_half() || distance > nearest ||
+          !blobs_->fits_area(layout.patches[k], blob) ||
+          std::find(taken.begin(), taken.end(), b) != taken.end()) {
+        continue;
+      }
+      nearest = distance;
+      candidate.blobs[k] = b;
+    }
+    if (candidate.blobs[k] < 0) continue;
+    pairs.push_back({layout.patches[k].center_mm, blob_at(candidate.blobs[k]).position_mm, 1.0});
+    seen_patch = k;
+  }
+  if (pairs.empty()) return;
+
+  candidate.team = track.team;
+  candidate.layout = track.layout;
+  candidate.found = static_cast<int>(pairs.size());
+  candidate.position_sigmas = 2.0;
+  if (pairs.size() > 1) {
+    candidate.pose = fit_pose({pairs.data(), pairs.size()});
+    candidate.heading_sigmas = 2.0;
+  } else {
+    const PatchModel& patch = layout.patches[seen_patch];
+    const MetricBlob& blob = blob_at(candidate.blobs[seen_patch]);
+    Pose& pose = candidate.pose;
+    pose.heading_rad = track.pose().heading_rad;
+    candidate.heading_sigmas = 0.0;
+    if (patch.is_elongated() && blob.elongation() > 1.4) {
+      pose.heading_rad += wrap_line(blob.axis_rad - patch.axis_rad - pose.heading_rad);
+      candidate.heading_sigmas = 3.0;
+    }
+    pose.position_mm = blob.position_mm - pose.apply(patch.center_mm);
+  }
+  for (std::size_t k = 1; k < layout.patches.size(); ++k) {
+    if (candidate.blobs[k] < 0) continue;
+    const MetricBlob& blob = blob_at(candidate.blobs[k]);
+    const cv::Point2d off = blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
+    candidate.score += kPatchScore -
+                       shape_cost(layout.patches[k], blob, &candidate.pose.heading_rad) -
+                       place_cost(std::hypot(off.x, off.y), parameters_.max_patch_error_mm);
+  }
+  candidates_->push_back(candidate);
+  add(static_cast<int>(candidates_->size()) - 1, track.id, t,
+      candidate.score - kBlindCost + near_score(track, candidate));
+}
+
+double ClaimBuilder::distance_mm(const RobotTrack& track, const Candidate& candidate) const {
+  const cv::Point2d off = candidate.pose.position_mm - track.pose().position_mm;
+  return std::hypot(off.x, off.y);
+}
+
+bool ClaimBuilder::is_gated(const RobotTrack& track, const Candidate& candidate) const {
+  // As long as the heading is unknown the place may be off by as much as the team patch is.
+  const cv::Point2d center = layout_at(track.layout).team().center_mm;
+  const double slack = track.heading_known ? 0.0 : std::hypot(center.x, center.y);
+  return distance_mm(track, candidate) <= track.gate_mm(parameters_) + slack;
+}
+
+double ClaimBuilder::near_score(const RobotTrack& track, const Candidate& candidate) const {
+  const double width = std::max(6.0, track.gate_mm(parameters_) / 2.5);
+  const double off = distance_mm(track, candidate) / width;
+  double score = kNearPlaceScore * std::exp(-0.5 * off * off);
+  if (track.heading_known && candidate.heading_known) {
+    const double turned =
+        wrap_turn(candidate.pose.heading_rad - track.pose().heading_rad) / radians(20.0);
+    score += kNearHeadingScore * std::exp(-0.5 * turned * turned);
+  }
+  return score;
+}
+
+bool ClaimBuilder::shows_colors_of(const RobotTrack& track, const Candidate& candidate) const {
+  const TagId* entry = layout_at(candidate.layout).entry(track.id);
+  if (!entry) return false;
+  for (std::size_t k = 0; k < entry->colors.size(); ++k) {
+    const int blob = candidate.blobs[k + 1];
+    if (blob >= 0 && blob_at(blob).label != entry->colors[k]) return false;
+  }
+  return true;
+}
+
+bool ClaimBuilder::exclude_each_other(const Claim& a, const Claim& b) const {
+  const Candidate& first = (*candidates_)[static_cast<std::size_t>(a.candidate)];
+  const Candidate& second = (*candidates_)[static_cast<std::size_t>(b.candidate)];
+  const cv::Point2d apart = first.pose.position_mm - second.pose.position_mm;
+  if (std::hypot(apart.x, apart.y) <
+      min_separation_mm(layout_at(first.layout), layout_at(second.layout))) {
+    return true;
+  }
+  for (const int i : first.blobs) {
+    if (i < 0) continue;
+    for (const int k : second.blobs) {
+      if (k < 0 || blob_at(i).source != blob_at(k).source) continue;
+      if ((blob_at(i).parts & blob_at(k).parts) != 0) return true;
+    }
+  }
+  return false;
+}
+
+void ClaimBuilder::find_conflicts() {
+  conflicts_.clear();
+  by_x_.clear();
+  by_identity_.clear();
+  const auto candidate_of = [&](int claim) -> const Candidate& {
+    const int index = claims_[static_cast<std::size_t>(claim)].candidate;
+    return (*candidates_)[static_cast<std::size_t>(index)];
+  };
+  for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
+    const Claim& claim = claims_[static_cast<std::size_t>(i)];
+    by_x_.push_back(i);
+    const int team = candidate_of(i).team == Team::kBlue ? 0 : 1;
+    if (claim.id >= 0) {
+      by_identity_.emplace_back(2 * claim.id + team, i);
+    } else if (claim.track >= 0) {
+      by_identity_.emplace_back(-1 - claim.track, i);
+    }
+  }
+  const auto x_of = [&](int claim) { return candidate_of(claim).pose.position_mm.x; };
+  std::ranges::sort(by_x_, [&](int a, int b) {
+    return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a < b;
+  });
+  double window = 0.0;
+  for (const LayoutModel& layout : layouts_) {
+    // Robots that share a blob are at most two patch radii apart.
+    window = std::max(window, 2.0 * (1.5 * layout.half_extent_mm +
+                                     2.0 * parameters_.max_patch_error_mm));
+  }
+  for (std::size_t i = 0; i < by_x_.size(); ++i) {
+    for (std::size_t k = i + 1; k < by_x_.size() && x_of(by_x_[k]) - x_of(by_x_[i]) <= window;
+         ++k) {
+      if (exclude_each_other(claims_[static_cast<std::size_t>(by_x_[i])],
+                             claims_[static_cast<std::size_t>(by_x_[k])])) {
+        conflicts_.emplace_back(by_x_[i], by_x_[k]);
+      }
+    }
+  }
+  std::ranges::sort(by_identity_);
+  for (std::size_t i = 0; i < by_identity_.size(); ++i) {
+    for (std::size_t k = i + 1;
+         k < by_identity_.size() && by_identity_[k].first == by_identity_[i].first; ++k) {
+      conflicts_.emplace_back(by_identity_[i].second, by_identity_[k].second);
+    }
+  }
+}
+
+}  // namespace maggic::tracking

@@ -1,0 +1,73 @@
+#pragma once
+/// Claims: a candidate together with whose sighting it is. What the assignment chooses between.
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "maggic/tracking_engine.hpp"
+#include "tracking/candidate_generator.hpp"
+#include "tracking/robot_track.hpp"
+
+namespace maggic::tracking {
+
+struct Claim {
+  int candidate = 0;
+  int id = kUnknownId;
+  int track = -1;  ///< The robot it continues; -1: by colour alone, or a new robot.
+};
+
+/// Turns candidates and predicted tracks into claims with scores, groups and conflicts, as
+/// AssignmentSolver wants them.
+class ClaimBuilder {
+ public:
+  ClaimBuilder(const TrackingParameters& parameters, std::span<const LayoutModel> layouts)
+      : parameters_(parameters), layouts_(layouts) {}
+
+  /// @param tracks predicted to this frame.
+  /// @param candidates what geometry found; receives sightings that only motion explains too.
+  /// @param field_limit_mm half extents of the area in which robots of unknown id are believed.
+  void build(const TagBlobs& blobs, std::span<const RobotTrack> tracks, cv::Point2d field_limit_mm,
+             std::vector<Candidate>& candidates);
+
+  const std::vector<Claim>& claims() const { return claims_; }
+  std::span<const double> scores() const { return scores_; }
+  std::span<const int> groups() const { return groups_; }
+  std::span<const std::pair<int, int>> conflicts() const { return conflicts_; }
+
+ private:
+  void add(int candidate, int id, int track, double score);
+  void claim_by_colors(int candidate);
+  void claim_by_motion(int candidate);
+  void claim_as_unknown(int candidate);
+  void claim_team_patch_alone(int blob);
+  void claim_team_patch_of(int track);
+  void claim_player_patches_of(int track);
+  double near_score(const RobotTrack& track, const Candidate& candidate) const;
+  double distance_mm(const RobotTrack& track, const Candidate& candidate) const;
+  bool is_gated(const RobotTrack& track, const Candidate& candidate) const;
+  bool shows_colors_of(const RobotTrack& track, const Candidate& candidate) const;
+  const MetricBlob& blob_at(int index) const {
+    return blobs_->all()[static_cast<std::size_t>(index)];
+  }
+  const LayoutModel& layout_at(int index) const {
+    return layouts_[static_cast<std::size_t>(index)];
+  }
+  void find_conflicts();
+  bool exclude_each_other(const Claim& a, const Claim& b) const;
+
+  const TrackingParameters& parameters_;
+  std::span<const LayoutModel> layouts_;
+  const TagBlobs* blobs_ = nullptr;
+  std::span<const RobotTrack> tracks_;
+  cv::Point2d field_limit_mm_;
+  std::vector<Candidate>* candidates_ = nullptr;
+  std::vector<Claim> claims_;
+  std::vector<double> scores_;
+  std::vector<int> groups_;
+  std::vector<std::pair<int, int>> conflicts_;
+  std::vector<int> by_x_;
+  std::vector<std::pair<int, int>> by_identity_;
+};
+
+}  // namespace maggic::tracking

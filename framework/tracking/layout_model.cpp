@@ -1,0 +1,63 @@
+#include "tracking/layout_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tracking/angles.hpp"
+
+namespace maggic::tracking {
+namespace {
+
+PatchModel model_of(const TagPatch& patch) {
+  PatchModel model;
+  model.center_mm = patch.center_mm;
+  model.area_mm2 = patch.expected_area_mm2();
+  const double w = patch.size_mm.width;
+  const double h = patch.size_mm.height;
+  model.elongation = std::max(w, h) / std::min(w, h);
+  model.axis_rad = h > w ? kPi / 2.0 : 0.0;
+  const double side_divisor = patch.shape == PatchShape::kDisc ? 16.0 : 12.0;
+  model.variance_mm2 = (w * w + h * h) / side_divisor;
+  return model;
+}
+
+}  // namespace
+
+LayoutModel::LayoutModel(const TagLayout& layout)
+    : ids(layout.ids), heading_offset_rad(radians(layout.heading_offset_deg)) {
+  for (const PatchRole role : {PatchRole::kTeam, PatchRole::kPlayer}) {
+    for (const TagPatch& patch : layout.patches) {
+      if (patch.role != role) continue;
+      patches.push_back(model_of(patch));
+      half_extent_mm = std::max({half_extent_mm,
+                                 std::abs(patch.center_mm.x) + patch.size_mm.width / 2.0,
+                                 std::abs(patch.center_mm.y) + patch.size_mm.height / 2.0});
+      const cv::Point2d from_team = patch.center_mm - patches.front().center_mm;
+      reach_mm = std::max(reach_mm, std::hypot(from_team.x, from_team.y));
+    }
+  }
+  max_missing = player_count() / 2;
+}
+
+int LayoutModel::find_id(const Label* colors) const {
+  for (const TagId& entry : ids) {
+    if (std::equal(entry.colors.begin(), entry.colors.end(), colors)) return entry.id;
+  }
+  return kUnknownId;
+}
+
+bool LayoutModel::is_listed(int player, Label color) const {
+  return std::ranges::any_of(
+      ids, [&](const TagId& entry) { return entry.colors[static_cast<std::size_t>(player)] == color; });
+}
+
+const TagId* LayoutModel::entry(int id) const {
+  const auto found = std::ranges::find(ids, id, &TagId::id);
+  return found == ids.end() ? nullptr : &*found;
+}
+
+double min_separation_mm(const LayoutModel& a, const LayoutModel& b) {
+  return 0.75 * (a.half_extent_mm + b.half_extent_mm);
+}
+
+}  // namespace maggic::tracking

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <limits>
+
+#include "tracking/candidate_generator.hpp"
+
+namespace maggic::tracking {
+namespace {
+
+// Two patches that run into each other, with what blur adds or the seam takes away.
+constexpr double kMergedMinRatio = 1.45;
+constexpr double kMergedMaxRatio = 2.7;
+// A frame that is noise all over must not cost seconds: the largest blobs are looked at.
+constexpr std::size_t kMaxBlobs = 2000;
+
+}  // namespace
+
+TagBlobs::TagBlobs(const TrackingParameters& parameters, std::span<const LayoutModel> layouts)
+    : parameters_(parameters), layouts_(layouts) {
+  min_area_mm2_ = std::numeric_limits<double>::max();
+  for (const LayoutModel& layout : layouts) {
+    for (const PatchModel& patch : layout.patches) {
+      min_area_mm2_ = std::min(min_area_mm2_, patch.area_mm2 * parameters.patch_min_area_ratio);
+      max_area_mm2_ = std::max(max_area_mm2_, patch.area_mm2 * std::max(kMergedMaxRatio,
+                                                                parameters.patch_max_area_ratio));
+    }
+    for (const TagId& entry : layout.ids) {
+      for (const Label color : entry.colors) listed_[color] = true;
+    }
+  }
+  blobs_.reserve(256);
+}
+
+void TagBlobs::load(std::span<const Blob> blobs, const Field& field) {
+  const double height_mm = field.robot_height_mm();
+  const AreaSieve sieve(field, height_mm, min_area_mm2_, max_area_mm2_);
+  blobs_.clear();
+  for (int i = 0; i < static_cast<int>(blobs.size()); ++i) {
+    const Blob& blob = blobs[static_cast<std::size_t>(i)];
+    if (!sieve.passes(blob) || (!is_team_color(blob.label) && !may_be_player(blob.label))) continue;
+    const MetricBlob metric = to_metric(blob, i, field, height_mm);
+    if (metric.area_mm2 < min_area_mm2_ || metric.area_mm2 > max_area_mm2_) continue;
+    blobs_.push_back(metric);
+  }
+  const auto by_area = [](const MetricBlob& a, const MetricBlob& b) {
+    return a.area_mm2 != b.area_mm2 ? a.area_mm2 > b.area_mm2 : a.source < b.source;
+  };
+  if (blobs_.size() > kMaxBlobs) {
+    std::ranges::nth_element(blobs_, blobs_.begin() + kMaxBlobs, by_area);
+    blobs_.resize(kMaxBlobs);
+  }
+  for (std::size_t i = 0, whole = blobs_.size(); i < whole; ++i) add_halves(MetricBlob(blobs_[i]));
+  // Position before source: the answer must not depend on the order blobs come in.
+  std::ranges::sort(blobs_, [](const MetricBlob& a, const MetricBlob& b) {
+    if (a.position_mm.x != b.position_mm.x) return a.position_mm.x < b.position_mm.x;
+    if (a.position_mm.y != b.position_mm.y) return a.position_mm.y < b.position_mm.y;
+    return a.source != b.source ? a.source < b.source : a.parts < b.parts;
+  });
+}
+
+void TagBlobs::add_halves(const MetricBlob& blob) {
+  const bool team = is_team_color(blob.label);
+  for (const LayoutModel& layout : layouts_) {
+    for (std::size_t i = 0; i < layout.patches.size(); ++i) {
+      const PatchModel& patch = layout.patches[i];
+      const double ratio = blob.area_mm2 / patch.area_mm2;
+      if ((i == 0) != team || ratio < kMergedMinRatio || ratio > kMergedMaxRatio) continue;
+      MetricBlob first;
+      MetricBlob second;
+      if (!split_in_two(blob, patch.variance_mm2, first, second)) continue;
+      blobs_.push_back(first);
+      blobs_.push_back(second);
+      return;
+    }
+  }
+}
+
+std::pair<int, int> TagBlobs::within_x(double x_mm, double reach_mm) const {
+  const auto x_of = [](const MetricBlob& blob) { return blob.position_mm.x; };
+  const auto first = std::ranges::lower_bound(blobs_, x_mm - reach_mm, {}, x_of);
+  const auto last = std::ranges::upper_bound(blobs_, x_mm + reach_mm, {}, x_of);
+  return {static_cast<int>(first - blobs_.begin()), static_cast<int>(last - blobs_.begin())};
+}
+
+bool TagBlobs::is_team_color(Label label) const {
+  return label != kBackground &&
+         (label == parameters_.blue_team_color || label == parameters_.yellow_team_color);
+}
+
+bool TagBlobs::may_be_player(Label label) const {
+  if (listed_[label]) return true;
+  return label != kBackground && !is_team_color(label) && label != parameters_.ball_color;
+}
+
+bool TagBlobs::fits_area(const PatchModel& patch, const MetricBlob& blob) const {
+  const double ratio = blob.area_mm2 / patch.area_mm2;
+  return ratio >= parameters_.patch_min_area_ratio && ratio <= parameters_.patch_max_area_ratio;
+}
+
+}  // namespace maggic::tracking

@@ -1,0 +1,56 @@
+#pragma once
+/// What lamp, lens, sensor and link make of an ideal picture.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+namespace maggic::synthetic_match {
+
+struct CameraEffectsParameters {
+  double brightness = 1.0;
+  double gradient = 0.2;
+  double gradient_direction_deg = 20.0;
+  std::array<double, 3> color_gains{1.0, 1.0, 1.0};  ///< Red, green, blue.
+  double blur_px = 0.5;
+  double noise = 2.0;
+  double shot_noise = 1.5;
+  bool chroma_subsampling = false;
+};
+
+/// Keeps the lit and blurred picture and develops only what changed; noise is drawn anew for every
+/// frame. Deterministic by seed and frame number.
+class CameraEffects {
+ public:
+  CameraEffects(const CameraEffectsParameters& parameters, cv::Size picture, std::uint64_t seed);
+
+  /// Lights and blurs the part `box` of `scene` (CV_32FC3) and what blur carries beyond it.
+  void develop(const cv::Mat& scene, cv::Rect box);
+
+  /// Adds the noise of frame `number` and writes 8-bit B G R. `bgr` is reused when it fits.
+  void expose(std::uint64_t number, cv::Mat& bgr);
+
+ private:
+  void blur_rows(const cv::Mat& scene, cv::Rect box);
+  void blur_columns(cv::Rect box);
+  void subsample_chroma(cv::Mat& bgr);
+
+  CameraEffectsParameters parameters_;
+  cv::Size size_;
+  std::uint64_t seed_;
+  std::vector<float> kernel_;  ///< Odd length, sums to 1.
+  cv::Mat light_;              ///< CV_16SC3: light on the sensor in 1/64 of a step.
+
+  std::vector<float> padded_row_;
+  std::vector<float> blurred_rows_;
+  std::vector<float> line_;
+  std::vector<std::int16_t> gaussian_;     ///< Standard normal numbers in 1/256.
+  std::vector<std::int32_t> noise_of_;     ///< Standard deviation by light in whole steps, 1/64.
+  std::vector<std::int32_t> chroma_;       ///< Rows of (blue, red) difference, a block each.
+  std::vector<std::int32_t> chroma_line_;  ///< One row of it between two block rows.
+};
+
+}  // namespace maggic::synthetic_match

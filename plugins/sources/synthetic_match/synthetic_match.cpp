@@ -1,0 +1,245 @@
+/// synthetic_match: a made-up match seen by a made-up overhead camera, with its exact truth.
+///
+/// Robots and ball move smoothly, bounce and never overlap; the picture is drawn with exact
+/// sub-pixel edges, robots are cubes whose tops stand above the floor (so positions need the
+/// parallax correction), and lamp, lens and sensor add what they add in a hall. The same seed gives
+/// the same frames on every run. Use it to try pipelines without a camera, to measure accuracy, and
+/// in tests.
+///
+///     source:
+///       synthetic_match:
+///         format: 5v5          # field size; robots_per_team follows it unless given
+///         layout: three_tag    # two_tag, three_tag, or mixed: some robots this, some that
+///         width: 800
+///         height: 600
+///         frames: 600          # 0: endless
+///         noise: 3             # standard deviation, 8-bit steps
+///         chroma_subsampling: true
+///
+/// Every key of a pipeline's `field:` section stands here too (format, corners_px, lens, camera, …)
+/// and means the same, so the truth agrees with a pipeline whose `field:` says the same. Without
+/// `corners_px` the field is centred with `margin_px` left on the tight sides, which leaves room for
+/// goals and walls; a pipeline has to name the corners that gives:
+/// scale = min((width − 2·margin) / length_mm, (height − 2·margin) / width_mm),
+/// corners = ((width − 1)/2 ± scale·length_mm/2, (height − 1)/2 ± scale·width_mm/2). By default:
+///     3v3, 640 × 480: [[64.5, 18.5], [574.5, 18.5], [574.5, 460.5], [64.5, 460.5]]
+///     5v5, 800 × 600, margin_px 30: [[69.5, 29.5], [729.5, 29.5], [729.5, 569.5], [69.5, 569.5]]
+///
+/// Source: field, robot and ball sizes from the rules of the IEEE Very Small Size Soccer league.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "camera_effects.hpp"
+#include "maggic/field.hpp"
+#include "maggic/plugin.hpp"
+#include "maggic/tag_layout.hpp"
+#include "match.hpp"
+#include "scene.hpp"
+
+namespace maggic::synthetic_match {
+
+enum class Pattern { kTwoTag, kThreeTag, kMixed };
+
+namespace {
+
+struct DyedColor {
+  std::string_view name;
+  Rgb rgb;
+};
+
+/// Paper and balls as a camera sees them under hall light, not the ideal hues of the palette.
+constexpr std::array<DyedColor, 9> kDyes{{{"orange", {238, 96, 30}},
+                                          {"blue", {38, 78, 205}},
+                                          {"yellow", {228, 208, 52}},
+                                          {"red", {212, 28, 42}},
+                                          {"green", {44, 172, 88}},
+                                          {"magenta", {214, 58, 148}},
+                                          {"cyan", {58, 184, 214}},
+                                          {"purple", {126, 62, 188}},
+                                          {"brown", {136, 88, 48}}}};
+
+std::vector<Rgb> dyes_for(const Palette& palette) {
+  std::vector<Rgb> colors;
+  for (std::size_t label = 0; label < palette.size(); ++label) {
+    const std::string_view name = palette.name(static_cast<Label>(label));
+    const auto* dye = std::ranges::find(kDyes, name, &DyedColor::name);
+    const DisplayColor shown = palette.display_color(static_cast<Label>(label));
+    const Rgb as_drawn{static_cast<double>(shown.red), static_cast<double>(shown.green),
+                       static_cast<double>(shown.blue)};
+    colors.push_back(dye == kDyes.end() ? as_drawn : dye->rgb);
+  }
+  return colors;
+}
+
+Label label_of(const Palette& palette, std::string_view name) {
+  if (const std::optional<Label> label = palette.find(name)) return *label;
+  throw std::invalid_argument(fmt::format(
+      "the palette has no colour '{}', which the synthetic match needs (known: {})", name,
+      palette.known_names()));
+}
+
+}  // namespace
+
+class SyntheticMatch final : public Source {
+ public:
+  void describe(Parameters& p) override {
+    p.integer({"width", "width of the picture", "px"}, size_.width, {16, 8192});
+    p.integer({"height", "height of the picture", "px"}, size_.height, {16, 8192});
+    p.number({"fps", "frames per second; frame n is captured at n/fps", "1/s"}, fps_, {1.0, 1000.0});
+    p.integer({"frames", "how many frames to give; 0: endless"}, frames_, {0, 1'000'000'000});
+    p.integer({"seed", "another number is another match"}, seed_, {0, 1'000'000'000});
+    p.choice<Pattern>({"layout", "tag pattern of the robots; mixed: both in either team"}, pattern_,
+                      {{"two_tag", Pattern::kTwoTag},
+                       {"three_tag", Pattern::kThreeTag},
+                       {"mixed", Pattern::kMixed}});
+    p.integer({"robots_per_team", "robots in either team; left out: 3 or 5 as the format says"},
+              robots_per_team_, {1, 11});
+    p.number({"margin_px", "border around the field on the tight sides where corners_px is left "
+                           "out", "px"}, margin_px_, {0.0, 4096.0});
+    p.check("margin_px", 2.0 * margin_px_ < std::min(size_.width, size_.height) - 1.0,
+            fmt::format("a border of {} px leaves nothing of a picture of {} x {}: expected less "
+                        "than half the smaller side", margin_px_, size_.width, size_.height));
+    field_.describe(p);
+    describe_camera_effects(p);
+    p.by_color({"colors", "red, green, blue of a palette colour under the lamp; colours left out "
+                          "keep a realistic one", "8-bit steps"},
+               colors_, {0, 255}, [](Parameters& element, Rgb& rgb) {
+                 element.numbers({"", "red, green, blue", "8-bit steps"}, rgb, {0.0, 255.0});
+               });
+  }
+
+  void prepare(const StageContext& context) override {
+    const Palette& palette = context.palette;
+    std::vector<Rgb> colors = dyes_for(palette);
+    for (const auto& [label, rgb] : colors_) colors.at(label) = rgb;
+    two_tag_ = two_tag_layout(palette);
+    three_tag_ = three_tag_layout(palette);
+
+    const int robots = robots_per_team_.value_or(field_.format == FieldFormat::k5v5 ? 5 : 3);
+    dress(robots, Team::kBlue, label_of(palette, "blue"));
+    dress(robots, Team::kYellow, label_of(palette, "yellow"));
+
+    if (field_.corners_px.empty()) {
+      const cv::Size sized = field_.image_size_px.width > 0 ? field_.image_size_px : size_;
+      field_.corners_px = fitted_corners_px(field_, sized, margin_px_);
+    }
+    match_.emplace(match_parameters(robots));
+    scene_ = std::make_unique<Scene>(Field(field_, size_), std::move(colors),
+                                     label_of(palette, "orange"));
+    camera_ = std::make_unique<CameraEffects>(effects_, size_, static_cast<std::uint64_t>(seed_));
+    camera_->develop(scene_->picture(), cv::Rect({}, size_));
+  }
+
+  SourceInfo open() override {
+    SourceInfo info;
+    if (frames_ > 0) info.frame_count = static_cast<std::uint64_t>(frames_);
+    info.frames_per_second = fps_;
+    return info;
+  }
+
+  ReadStatus read(Frame& frame) override {
+    if (frames_ > 0 && next_ >= static_cast<std::uint64_t>(frames_)) return ReadStatus::kEnd;
+    if (next_ > 0) match_->advance();
+    frame.captured = Timestamp(std::llround(static_cast<double>(next_) * 1e9 / fps_));
+    frame.truth.sequence = next_;
+    frame.truth.captured = frame.captured;
+    scene_->draw(match_->robots(), outfits_, match_->ball(), frame.truth);
+    frame.has_truth = true;
+    for (const cv::Rect& box : scene_->changed()) camera_->develop(scene_->picture(), box);
+    camera_->expose(next_, frame.bgr);
+    ++next_;
+    return ReadStatus::kFrame;
+  }
+
+ private:
+  void describe_camera_effects(Parameters& p) {
+    p.number({"brightness", "of the lamp; above 1 bright colours saturate"}, effects_.brightness,
+             {0.05, 4.0});
+    p.number({"gradient", "how much brighter the bright end of the picture is than its middle"},
+             effects_.gradient, {0.0, 0.9});
+    p.number({"gradient_direction_deg", "where the bright end is, counter-clockwise from the right",
+              "degrees"}, effects_.gradient_direction_deg, {-360.0, 360.0});
+    p.numbers({"color_gains", "colour cast: factors for red, green, blue"}, effects_.color_gains,
+              {0.1, 4.0});
+    p.number({"blur_px", "standard deviation of the lens's blur", "px"}, effects_.blur_px,
+             {0.0, 10.0});
+    p.number({"noise", "standard deviation of the sensor's noise in the dark", "8-bit steps"},
+             effects_.noise, {0.0, 40.0});
+    p.number({"shot_noise", "standard deviation added (in squares) by the light itself at 255",
+              "8-bit steps"}, effects_.shot_noise, {0.0, 40.0});
+    p.boolean({"chroma_subsampling", "share colour among 2 x 2 pixels, as JPEG and YUV 4:2:0 do"},
+              effects_.chroma_subsampling);
+  }
+
+  /// Gives the team its ids. In mixed patterns robots take turns, each with an id still free.
+  void dress(int robots, Team team, Label team_color) {
+    const std::size_t first = outfits_.size();
+    const auto taken = [&](int id) {
+      return std::any_of(outfits_.begin() + static_cast<std::ptrdiff_t>(first), outfits_.end(),
+                         [id](const RobotOutfit& outfit) { return outfit.id.id == id; });
+    };
+    const auto dress_one = [&](const TagLayout& layout) {
+      const auto free = std::ranges::find_if(layout.ids, [&](const TagId& id) {
+        return !taken(id.id);
+      });
+      if (free == layout.ids.end()) return false;
+      outfits_.push_back({team, *free, &layout, team_color});
+      return true;
+    };
+    for (int i = 0; i < robots; ++i) {
+      const bool two = pattern_ == Pattern::kTwoTag || (pattern_ == Pattern::kMixed && i % 2 == 0);
+      if (dress_one(two ? two_tag_ : three_tag_)) continue;
+      if (pattern_ == Pattern::kMixed && dress_one(three_tag_)) continue;
+      throw std::invalid_argument(
+          fmt::format("robots_per_team is {}, expected at most {}: so many ids the tag pattern "
+                      "tells apart in this palette", robots, i));
+    }
+    std::sort(outfits_.begin() + static_cast<std::ptrdiff_t>(first), outfits_.end(),
+              [](const RobotOutfit& a, const RobotOutfit& b) { return a.id.id < b.id.id; });
+  }
+
+  MatchParameters match_parameters(int robots) const {
+    MatchParameters match;
+    match.length_mm = field_.length_mm;
+    match.width_mm = field_.width_mm;
+    match.robots_per_team = robots;
+    match.seed = static_cast<std::uint64_t>(seed_);
+    match.frame_time_s = 1.0 / fps_;
+    match.parallax_gain = std::abs((field_.camera_height_mm - field_.ball_height_mm) /
+                                       (field_.camera_height_mm - field_.robot_height_mm) - 1.0);
+    match.below_camera_mm = field_.camera_position_mm * (field_.half_time ? -1.0 : 1.0);
+    return match;
+  }
+
+  cv::Size size_{640, 480};
+  double fps_ = 60.0;
+  int frames_ = 0;
+  int seed_ = 1;
+  Pattern pattern_ = Pattern::kTwoTag;
+  std::optional<int> robots_per_team_;
+  double margin_px_ = 19.0;
+  FieldParameters field_;
+  CameraEffectsParameters effects_;
+  std::vector<std::pair<Label, Rgb>> colors_;
+
+  TagLayout two_tag_;
+  TagLayout three_tag_;
+  std::vector<RobotOutfit> outfits_;  ///< Blue before yellow, ids ascending.
+  std::optional<Match> match_;
+  std::unique_ptr<Scene> scene_;
+  std::unique_ptr<CameraEffects> camera_;
+  std::uint64_t next_ = 0;
+};
+
+}  // namespace maggic::synthetic_match
+
+MAGGIC_PLUGIN(maggic::synthetic_match::SyntheticMatch,
+              "a made-up 3v3 or 5v5 match with exact ground truth")

@@ -1,11 +1,13 @@
-# maggic_add_plugin([SOURCES file...] [LIBRARIES target...] [TEST_LIBRARIES target...])
+# maggic_add_plugin([SOURCES file...] [LIBRARIES target...] [TEST_SOURCES file...]
+#                   [TEST_LIBRARIES target...])
 #
 # Makes the plugin of the current folder: <folder>.cpp, with SOURCES beside it where one file would
-# grow too long, becomes <folder>.so, and <folder>_test.cpp,
-# where it exists and testing is on, the test program <folder>_test, which loads the plugin like any
-# host and runs under ctest. Works in this tree and, through find_package(maggic), out of it.
+# grow too long, becomes <folder>.so, and <folder>_test.cpp, where it exists and testing is on, the
+# test program <folder>_test, which loads the plugin like any host and runs under ctest. TEST_SOURCES
+# are compiled into the test program: further tests, and those of SOURCES they test directly. Works
+# in this tree and, through find_package(maggic), out of it.
 function(maggic_add_plugin)
-  cmake_parse_arguments(PLUGIN "" "" "SOURCES;LIBRARIES;TEST_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PLUGIN "" "" "SOURCES;LIBRARIES;TEST_SOURCES;TEST_LIBRARIES" ${ARGN})
   if(PLUGIN_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "maggic_add_plugin: unknown arguments ${PLUGIN_UNPARSED_ARGUMENTS}")
   endif()
@@ -20,10 +22,13 @@ function(maggic_add_plugin)
   if(TARGET maggic_warnings)
     target_link_libraries(${name} PRIVATE maggic_warnings)
   endif()
+  file(RELATIVE_PATH to_libraries /lib/maggic/plugins /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
   install(TARGETS ${name} LIBRARY DESTINATION lib/maggic/plugins)
+  set_property(GLOBAL APPEND PROPERTY MAGGIC_PLUGINS ${name})  # for tests that load them all
 
   if(BUILD_TESTING AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${name}_test.cpp)
-    add_executable(${name}_test ${name}_test.cpp)
+    add_executable(${name}_test ${name}_test.cpp ${PLUGIN_TEST_SOURCES})
     target_link_libraries(${name}_test PRIVATE maggic::testing GTest::gmock_main
       ${PLUGIN_TEST_LIBRARIES})
     if(TARGET maggic_warnings)

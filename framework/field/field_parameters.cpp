@@ -64,7 +64,8 @@ void FieldParameters::describe(Parameters& p) {
            element.point({"", "one corner", "px"}, corner, kPixelRange);
          });
   const std::string mistake = corners_px.empty() ? std::string{} : mistake_in_corners(corners_px);
-  p.check("corners_px", mistake.empty(), mistake);
+  p.check("corners_px", mistake.empty(),
+          mistake.empty() ? "expected four corners of a convex field" : mistake);
   describe_image_size(p, image_size_px);
 
   p.group({"lens", "radial distortion of the lens"},

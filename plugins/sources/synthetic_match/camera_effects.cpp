@@ -11,9 +11,10 @@
 namespace maggic::synthetic_match {
 namespace {
 
-constexpr int kFraction = 64;      // sub-steps of an 8-bit step
-constexpr int kBrightest = 312;    // light above 255 saturates only after the noise is added
-constexpr int kNormalScale = 256;
+constexpr int kFractionBits = 6;
+constexpr int kFraction = 1 << kFractionBits;  // sub-steps of an 8-bit step
+constexpr int kBrightest = 312;  // light above 255 saturates only after the noise is added
+constexpr int kNormalBits = 8;
 constexpr std::size_t kNormals = 1u << 16;
 
 std::vector<float> gaussian_kernel(double sigma) {
@@ -36,7 +37,8 @@ std::vector<std::int16_t> normal_numbers(std::uint64_t seed) {
   for (std::int16_t& number : numbers) {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
-    number = static_cast<std::int16_t>(std::lround(kNormalScale * radius * std::cos(angle)));
+    number = static_cast<std::int16_t>(std::lround((1 << kNormalBits) * radius *
+                                                    std::cos(angle)));
   }
   return numbers;
 }
@@ -50,11 +52,12 @@ CameraEffects::CameraEffects(const CameraEffectsParameters& parameters, cv::Size
       seed_(seed),
       kernel_(gaussian_kernel(parameters.blur_px)),
       light_(picture, CV_16SC3),
+      deviation_(picture, CV_16SC3),
       gaussian_(normal_numbers(seed)) {
   for (int value = 0; value <= kBrightest; ++value) {
     const double variance = parameters.noise * parameters.noise +
                             parameters.shot_noise * parameters.shot_noise * value / 255.0;
-    noise_of_.push_back(static_cast<std::int32_t>(std::lround(kFraction * std::sqrt(variance))));
+    noise_of_.push_back(static_cast<std::int16_t>(std::lround(kFraction * std::sqrt(variance))));
   }
 }
 
@@ -106,6 +109,7 @@ void CameraEffects::blur_columns(cv::Rect box) {
       from += width;
     }
     auto* out = light_.ptr<cv::Vec3s>(y) + box.x;
+    auto* deviation = deviation_.ptr<cv::Vec3s>(y) + box.x;
     for (int x = 0; x < box.width; ++x) {
       const double light =
           parameters_.brightness * (1.0 + slope_x * (box.x + x - 0.5 * (size_.width - 1)) +
@@ -115,6 +119,7 @@ void CameraEffects::blur_columns(cv::Rect box) {
                              parameters_.color_gains[static_cast<std::size_t>(2 - c)];
         out[x][c] = static_cast<std::int16_t>(
             kFraction * std::clamp(value, 0.0, static_cast<double>(kBrightest)) + 0.5);
+        deviation[x][c] = noise_of_[static_cast<std::size_t>(out[x][c] >> kFractionBits)];
       }
     }
   }
@@ -128,12 +133,12 @@ void CameraEffects::expose(std::uint64_t number, cv::Mat& bgr) {
   for (int y = 0; y < size_.height; ++y) {
     const std::int16_t* light = light_.ptr<std::int16_t>(y);
     const std::int16_t* normal = gaussian_.data() + random.next() % (kNormals - width);
+    const std::int16_t* deviation = deviation_.ptr<std::int16_t>(y);
     std::uint8_t* out = bgr.ptr<std::uint8_t>(y);
     for (std::size_t i = 0; i < width; ++i) {
-      const std::int32_t deviation = noise_of_[static_cast<std::size_t>(light[i] / kFraction)];
-      const std::int32_t value = light[i] + deviation * normal[i] / kNormalScale;
+      const int value = light[i] + ((deviation[i] * normal[i]) >> kNormalBits);
       out[i] = static_cast<std::uint8_t>(
-          std::clamp((value + kFraction / 2) / kFraction, 0, 255));
+          std::clamp((value + kFraction / 2) >> kFractionBits, 0, 255));
     }
   }
   if (parameters_.chroma_subsampling) subsample_chroma(bgr);
@@ -142,52 +147,73 @@ void CameraEffects::expose(std::uint64_t number, cv::Mat& bgr) {
 /// One pair of colour differences for 2 × 2 pixels, interpolated as JPEG decoders do: 3/4 of the
 /// pixel's own block and 1/4 of the next, along either axis. Full-range BT.601.
 void CameraEffects::subsample_chroma(cv::Mat& bgr) {
-  const int blocks_x = (size_.width + 1) / 2;
+  cv::split(bgr, planes_.data());  // compilers vectorise planes, not interleaved pixels
+  const auto blocks_x = static_cast<std::size_t>((size_.width + 1) / 2);
   const int blocks_y = (size_.height + 1) / 2;
-  const auto stride = static_cast<std::size_t>(2 * blocks_x);
-  chroma_.resize(stride * static_cast<std::size_t>(blocks_y));
-  chroma_line_.resize(stride);
-  // 2^10 fixed point of the sum of four pixels; the last shift below takes both factors out.
-  for (int by = 0; by < blocks_y; ++by) {
-    const std::uint8_t* upper = bgr.ptr<std::uint8_t>(2 * by);
-    const std::uint8_t* lower = bgr.ptr<std::uint8_t>(std::min(2 * by + 1, size_.height - 1));
-    std::int32_t* out = chroma_.data() + stride * static_cast<std::size_t>(by);
-    for (int bx = 0; bx < blocks_x; ++bx) {
-      const int left = 6 * bx;
-      const int right = 3 * std::min(2 * bx + 1, size_.width - 1);
-      const auto sum = [&](int c) {
-        return upper[left + c] + upper[right + c] + lower[left + c] + lower[right + c];
-      };
-      const int b = sum(0), g = sum(1), r = sum(2);
-      out[2 * bx] = (-173 * r - 339 * g + 512 * b) >> 8;
-      out[2 * bx + 1] = (512 * r - 429 * g - 83 * b) >> 8;
+  for (std::vector<float>& differences : chroma_) {
+    differences.resize(blocks_x * static_cast<std::size_t>(blocks_y));
+  }
+  for (int by = 0; by < blocks_y; ++by) average_blocks(by, blocks_x);
+  for (int y = 0; y < size_.height; ++y) {
+    for (std::size_t c = 0; c < 2; ++c) spread_blocks(y, blocks_x, blocks_y, c);
+    std::uint8_t* b = planes_[0].ptr<std::uint8_t>(y);
+    std::uint8_t* g = planes_[1].ptr<std::uint8_t>(y);
+    std::uint8_t* r = planes_[2].ptr<std::uint8_t>(y);
+    const float* cb = chroma_line_[0].data();
+    const float* cr = chroma_line_[1].data();
+    const auto rounded = [](float v) {
+      return static_cast<std::uint8_t>(static_cast<int>(std::clamp(v, 0.0f, 255.0f) + 0.5f));
+    };
+    for (int x = 0; x < size_.width; ++x) {
+      const float luma = 0.299f * r[x] + 0.587f * g[x] + 0.114f * b[x];
+      b[x] = rounded(luma + 1.772f * cb[x]);
+      g[x] = rounded(luma - 0.344136f * cb[x] - 0.714136f * cr[x]);
+      r[x] = rounded(luma + 1.402f * cr[x]);
     }
   }
-  for (int y = 0; y < size_.height; ++y) {
-    const int own = y / 2;
-    const int next = std::clamp(y % 2 == 0 ? own - 1 : own + 1, 0, blocks_y - 1);
-    const std::int32_t* near = chroma_.data() + stride * static_cast<std::size_t>(own);
-    const std::int32_t* far = chroma_.data() + stride * static_cast<std::size_t>(next);
-    for (std::size_t i = 0; i < stride; ++i) chroma_line_[i] = 3 * near[i] + far[i];
-    std::uint8_t* pixel = bgr.ptr<std::uint8_t>(y);
-    for (int x = 0; x < size_.width; ++x, pixel += 3) {
-      const int own_x = x / 2;
-      const int next_x = std::clamp(x % 2 == 0 ? own_x - 1 : own_x + 1, 0, blocks_x - 1);
-      const auto chroma = [&](int c) {  // 4 (fixed point) · 4 (pixels) · 16 (weights) = 2^8
-        return 3 * chroma_line_[static_cast<std::size_t>(2 * own_x + c)] +
-               chroma_line_[static_cast<std::size_t>(2 * next_x + c)];
-      };
-      const int cb = chroma(0);
-      const int cr = chroma(1);
-      const int luma = 299 * pixel[2] + 587 * pixel[1] + 114 * pixel[0];
-      const auto channel = [&](int chroma_times_1000) {
-        const int value = luma * 256 + chroma_times_1000;
-        return static_cast<std::uint8_t>(std::clamp((value + 128'000) / 256'000, 0, 255));
-      };
-      pixel[0] = channel(1772 * cb);
-      pixel[1] = channel(-344 * cb - 714 * cr);
-      pixel[2] = channel(1402 * cr);
-    }
+  cv::merge(planes_.data(), planes_.size(), bgr);
+}
+
+void CameraEffects::average_blocks(int block_y, std::size_t blocks_x) {
+  std::array<const std::uint8_t*, 3> upper;
+  std::array<const std::uint8_t*, 3> lower;
+  for (std::size_t c = 0; c < 3; ++c) {
+    upper[c] = planes_[c].ptr<std::uint8_t>(2 * block_y);
+    lower[c] = planes_[c].ptr<std::uint8_t>(std::min(2 * block_y + 1, size_.height - 1));
+  }
+  float* cb = chroma_[0].data() + blocks_x * static_cast<std::size_t>(block_y);
+  float* cr = chroma_[1].data() + blocks_x * static_cast<std::size_t>(block_y);
+  const auto average = [&](std::size_t block, std::size_t left, std::size_t right) {
+    const auto mean = [&](std::size_t c) {
+      return 0.25f * static_cast<float>(upper[c][left] + upper[c][right] + lower[c][left] +
+                                        lower[c][right]);
+    };
+    const float b = mean(0), g = mean(1), r = mean(2);
+    cb[block] = -0.168736f * r - 0.331264f * g + 0.5f * b;
+    cr[block] = 0.5f * r - 0.418688f * g - 0.081312f * b;
+  };
+  const auto whole = static_cast<std::size_t>(size_.width / 2);
+  for (std::size_t block = 0; block < whole; ++block) average(block, 2 * block, 2 * block + 1);
+  if (whole < blocks_x) average(whole, 2 * whole, 2 * whole);  // odd width
+}
+
+/// Interpolates the blocks to the pixels of row `y`.
+void CameraEffects::spread_blocks(int y, std::size_t blocks_x, int blocks_y, std::size_t channel) {
+  const int own = y / 2;
+  const int next = std::clamp(y % 2 == 0 ? own - 1 : own + 1, 0, blocks_y - 1);
+  const float* near = chroma_[channel].data() + blocks_x * static_cast<std::size_t>(own);
+  const float* far = chroma_[channel].data() + blocks_x * static_cast<std::size_t>(next);
+  // One block more at either end, so that the ends need no case of their own.
+  block_line_.resize(blocks_x + 2);
+  float* line = block_line_.data() + 1;
+  for (std::size_t i = 0; i < blocks_x; ++i) line[i] = 0.75f * near[i] + 0.25f * far[i];
+  line[-1] = line[0];
+  line[blocks_x] = line[blocks_x - 1];
+  chroma_line_[channel].resize(2 * blocks_x);
+  float* out = chroma_line_[channel].data();
+  for (std::size_t i = 0; i < blocks_x; ++i) {
+    out[2 * i] = 0.75f * line[i] + 0.25f * block_line_[i];
+    out[2 * i + 1] = 0.75f * line[i] + 0.25f * line[i + 1];
   }
 }
 

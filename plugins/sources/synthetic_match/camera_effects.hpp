@@ -2,6 +2,7 @@
 /// What lamp, lens, sensor and link make of an ideal picture.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,20 +38,25 @@ class CameraEffects {
   void blur_rows(const cv::Mat& scene, cv::Rect box);
   void blur_columns(cv::Rect box);
   void subsample_chroma(cv::Mat& bgr);
+  void average_blocks(int block_y, std::size_t blocks_x);
+  void spread_blocks(int y, std::size_t blocks_x, int blocks_y, std::size_t channel);
 
   CameraEffectsParameters parameters_;
   cv::Size size_;
   std::uint64_t seed_;
   std::vector<float> kernel_;  ///< Odd length, sums to 1.
   cv::Mat light_;              ///< CV_16SC3: light on the sensor in 1/64 of a step.
+  cv::Mat deviation_;          ///< CV_16SC3: of the noise there, in 1/64 of a step.
 
   std::vector<float> padded_row_;
   std::vector<float> blurred_rows_;
   std::vector<float> line_;
   std::vector<std::int16_t> gaussian_;     ///< Standard normal numbers in 1/256.
-  std::vector<std::int32_t> noise_of_;     ///< Standard deviation by light in whole steps, 1/64.
-  std::vector<std::int32_t> chroma_;       ///< Rows of (blue, red) difference, a block each.
-  std::vector<std::int32_t> chroma_line_;  ///< One row of it between two block rows.
+  std::vector<std::int16_t> noise_of_;     ///< Standard deviation by light in whole steps.
+  std::array<cv::Mat, 3> planes_;
+  std::array<std::vector<float>, 2> chroma_;       ///< Blue and red difference of each block.
+  std::array<std::vector<float>, 2> chroma_line_;  ///< The same for the pixels of a row.
+  std::vector<float> block_line_;
 };
 
 }  // namespace maggic::synthetic_match

@@ -1,6 +1,7 @@
 #include "maggic/pipeline.hpp"
 
 #include <gmock/gmock.h>
+#include <opencv2/core.hpp>
 
 #include "pipeline/fake_stages_for_tests.hpp"
 

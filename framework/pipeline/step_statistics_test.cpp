@@ -18,8 +18,8 @@ TEST(DurationHistogram, IsZeroWhileEmpty) {
 TEST(DurationHistogram, QuantilesAreExactToOnePercent) {
   DurationHistogram histogram;
   for (int i = 1; i <= 1000; ++i) histogram.add(microseconds(i));
-  EXPECT_NEAR(histogram.quantile(0.5).count(), 500e3, 5e3);
-  EXPECT_NEAR(histogram.quantile(0.99).count(), 990e3, 9.9e3);
+  EXPECT_NEAR(static_cast<double>(histogram.quantile(0.5).count()), 500e3, 5e3);
+  EXPECT_NEAR(static_cast<double>(histogram.quantile(0.99).count()), 990e3, 9.9e3);
   EXPECT_EQ(histogram.max(), microseconds(1000));
   EXPECT_EQ(histogram.mean(), nanoseconds(500'500));
 }

@@ -194,15 +194,10 @@ void RobotTracker::describe_robot(const TrackerInput& input, const RobotTrack& t
   for (const int index : candidates_[static_cast<std::size_t>(track.candidate)].blobs) {
     if (index < 0) continue;
     const MetricBlob& metric = blobs_.all()[static_cast<std::size_t>(index)];
+    // A merged blob is shared by two robots, so it is neither's tag.
+    if (metric.is_half()) continue;
     const Blob& blob = input.blobs[static_cast<std::size_t>(metric.source)];
-    if (metric.is_half()) {
-      robot.tags.push_back({blob.label,
-                            input.field.to_image_px(metric.position_mm,
-                                                    input.field.robot_height_mm()),
-                            blob.area_px / 2.0});
-    } else {
-      robot.tags.push_back({blob.label, blob.centroid_px, static_cast<double>(blob.area_px)});
-    }
+    robot.tags.push_back({blob.label, blob.centroid_px, static_cast<double>(blob.area_px)});
   }
 }
 

@@ -35,7 +35,10 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
-/// Without byte order mark, lines ended by '\n' alone.
+constexpr const char* kEnd = "...\n";
+
+/// Without byte order mark, lines ended by '\n' alone, and with an explicit end: yaml-cpp takes a
+/// single quote that is never closed for text up to the end of the file, but not across `...`.
 std::string normalized_text(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   std::string out;
@@ -44,7 +47,26 @@ std::string normalized_text(std::string_view text) {
     if (text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n') continue;
     out += text[i];
   }
-  return out;
+  if (!out.empty() && out.back() != '\n') out += '\n';
+  return out + kEnd;
+}
+
+/// What yaml-cpp says, in words of this house where its own are hard to act on.
+std::string in_plain_words(const std::string& message) {
+  namespace Said = YAML::ErrorMsg;
+  if (message == Said::DOC_IN_SCALAR) return "found the end inside quotes, expected them closed";
+  if (message == Said::END_OF_SEQ_FLOW) return "found no ']' for a '[' above, expected one";
+  if (message == Said::END_OF_MAP_FLOW) return "found no '}' for a '{' above, expected one";
+  if (message == Said::MAP_VALUE) {
+    return "found a ':' where no key can be, expected one 'key: value' a line, evenly indented";
+  }
+  if (message == Said::END_OF_MAP || message == Said::END_OF_SEQ) {
+    return "found a line that is indented unlike those above, expected even indentation";
+  }
+  if (message == Said::TAB_IN_INDENTATION) {
+    return "found a tab as indentation, expected spaces";
+  }
+  return fmt::format("found no valid YAML: {}", message);
 }
 
 void parse_events(const std::string& text, const PlaceFinder& places, EventTree& tree,
@@ -57,8 +79,8 @@ void parse_events(const std::string& text, const PlaceFinder& places, EventTree&
   } catch (const ReadingEnded&) {
     // The mistake is noted already.
   } catch (const YAML::Exception& e) {
-    mistakes.push_back(mistake_at(places.at(e.mark.line, e.mark.column),
-                                  fmt::format("found no valid YAML: {}", e.msg)));
+    mistakes.push_back(
+        mistake_at(places.at(e.mark.line, e.mark.column), in_plain_words(e.msg)));
   } catch (const std::exception& e) {
     mistakes.push_back(
         mistake_at(places.at(-1, 0), fmt::format("found no valid YAML: {}", e.what())));

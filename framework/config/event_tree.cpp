@@ -58,7 +58,8 @@ void EventTree::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
     return;
   }
   Subtree tree;
-  tree.node.place = place(mark);
+  // yaml-cpp places the value that is missing after `key:` at whatever follows it.
+  tree.node.place = open_.empty() ? place(mark) : place_of_parent();
   charge(tree.cost, tree.node.place);
   add(std::move(tree), anchor);
 }
@@ -120,12 +121,13 @@ void EventTree::OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML:
 }
 
 Place EventTree::place(const YAML::Mark& mark) const {
-  // yaml-cpp has no place for what is not written, such as the value of `key:` at the end.
-  if (mark.is_null() && !open_.empty()) {
-    const Open& parent = open_.back();
-    return parent.has_key ? parent.key_place : parent.tree.node.place;
-  }
+  if (mark.is_null() && !open_.empty()) return place_of_parent();
   return places_.at(mark.line, mark.column);
+}
+
+const Place& EventTree::place_of_parent() const {
+  const Open& parent = open_.back();
+  return parent.has_key ? parent.key_place : parent.tree.node.place;
 }
 
 void EventTree::note(const Place& place, std::string message) {

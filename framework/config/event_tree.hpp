@@ -82,6 +82,8 @@ class EventTree final : public YAML::EventHandler {
   };
 
   Place place(const YAML::Mark& mark) const;
+  /// Of the key, or the list, that the next node belongs to.
+  const Place& place_of_parent() const;
   void note(const Place& place, std::string message);
   [[noreturn]] void stop(const Place& place, std::string message);
   void reject_tag(const Place& place, const std::string& tag);

@@ -180,7 +180,9 @@ void Scene::draw_field() {
 
 void Scene::draw(std::span<const RobotMotion> robots, std::span<const RobotOutfit> outfits,
                  const BallMotion& ball, Detections& truth) {
-  for (const cv::Rect& box : drawn_) background_(box).copyTo(picture_(box));
+  for (const cv::Rect& box : drawn_) {
+    if (!box.empty()) background_(box).copyTo(picture_(box));  // empty: outside the picture
+  }
   changed_.assign(drawn_.begin(), drawn_.end());
   drawn_.clear();
 

@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values("{width: 32, height: 24, margin_px: 2}",
                       "{width: 32, height: 24, margin_px: 2, format: 5v5, layout: three_tag}",
                       "{width: 32, height: 24, margin_px: 2, layout: three_tag, "
-                      "robots_per_team: 9, fps: 30}"));
+                      "robots_per_team: 9}"));
 
 TEST(SyntheticMatch, BallIsNeverHiddenByARobot) {
   const auto source = match("{width: 32, height: 24, margin_px: 2}");
@@ -294,6 +294,15 @@ TEST(SyntheticMatch, TagsInThePictureHaveTheCentroidsAndAreasOfTheTruth) {
       EXPECT_NEAR(area[tag] / robot.tags[tag].area_px, 1.0, 0.01) << i;
     }
   }
+}
+
+TEST(SyntheticMatch, DrawsWhatIsPartlyOrWhollyOutsideThePicture) {
+  const auto source = match(R"(
+{width: 64, height: 48, lens: {k1: -2.0}, blur_px: 2, chroma_subsampling: true,
+ corners_px: [[-200, -100], [190, -50], [180, 160], [-150, 150]]})");
+  Frame frame;
+  for (int i = 0; i < 200; ++i) ASSERT_EQ(source->read(frame), ReadStatus::kFrame);
+  EXPECT_EQ(frame.truth.robots.size(), 6u);
 }
 
 TEST(SyntheticMatch, NoiseHasTheStandardDeviationAskedFor) {

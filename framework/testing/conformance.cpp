@@ -9,9 +9,11 @@ std::vector<std::string> check_conformance(StageKind kind, std::string_view name
     return Maker<Kind>([&] { return testing::make<Kind>(name, yaml); });
   };
   runs(findings, "making the stage", [&] {
-    // Made once first: a plugin that cannot be made at all is one sentence, not one a check.
-    make_stage(kind, name, yaml);
+    // A plugin that cannot be made at all is one sentence, not one a check; what is wrong with its
+    // parameters is told even when they keep it from being made.
+    registry().create(kind, name);
     check_describe([&] { return registry().create(kind, name); }, yaml, findings);
+    make_stage(kind, name, yaml);
     switch (kind) {
       case StageKind::kSource: return check_source(maker(std::type_identity<Source>{}), findings);
       case StageKind::kNormalizer:

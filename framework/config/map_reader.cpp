@@ -206,9 +206,9 @@ void MapReader::list_elements(const Parameter& what, Elements& elements, Range<i
     note_expected(*node, path, "a list");
     return;
   }
-  check_count(*node, path, nodes.size(), count);
-  elements.reset(nodes.size());
-  read_elements(nodes, paths, elements);
+  const bool fits = has_count(*node, path, nodes.size(), count);
+  if (fits) elements.reset(nodes.size());
+  read_elements(nodes, paths, elements, fits);
 }
 
 void MapReader::color_elements(const Parameter& what, ColorElements& elements, Range<int> count) {
@@ -219,13 +219,13 @@ void MapReader::color_elements(const Parameter& what, ColorElements& elements, R
     note_expected(*node, path, "a map from colours");
     return;
   }
-  check_count(*node, path, node->entries.size(), count);
-  elements.reset(node->entries.size());
+  const bool fits = has_count(*node, path, node->entries.size(), count);
+  if (fits) elements.reset(node->entries.size());
   std::vector<const Node*> nodes;
   std::vector<std::string> paths;
   for (const Node::Entry& entry : node->entries) {
     if (const std::optional<Label> label = color_label(palette_, entry.key)) {
-      elements.set_label(nodes.size(), *label);
+      if (fits) elements.set_label(nodes.size(), *label);
     } else {
       note(entry.key_place, path,
            unknown_name_message("colour", entry.key, color_names(palette_)));
@@ -233,7 +233,7 @@ void MapReader::color_elements(const Parameter& what, ColorElements& elements, R
     nodes.push_back(&entry.value);
     paths.push_back(path.empty() ? entry.key : fmt::format("{}.{}", path, entry.key));
   }
-  read_elements(nodes, paths, elements);
+  read_elements(nodes, paths, elements, fits);
 }
 
 Parameters::OptionalOutcome MapReader::optional_value(const Parameter& what, bool /*has_default*/,
@@ -300,21 +300,29 @@ bool MapReader::read_number(const Node& node, const std::string& path, double& v
 }
 
 void MapReader::read_elements(const std::vector<const Node*>& nodes,
-                              const std::vector<std::string>& paths, Elements& elements) {
+                              const std::vector<std::string>& paths, Elements& elements,
+                              bool fits) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     MapReader reader(nodes[i], paths[i], nodes[i]->place, palette_, mistakes_);
-    elements.describe(i, reader);
+    // A list of a wrong length keeps its default, which `check` may count on; what is written is
+    // read all the same, for its mistakes.
+    if (fits) {
+      elements.describe(i, reader);
+    } else {
+      elements.describe_fresh(reader);
+    }
     reader.finish();
   }
 }
 
-void MapReader::check_count(const Node& node, const std::string& path, std::size_t found,
-                            Range<int> count) {
+bool MapReader::has_count(const Node& node, const std::string& path, std::size_t found,
+                          Range<int> count) {
   const bool is_enough = found >= static_cast<std::size_t>(std::max(count.min, 0));
-  if (is_enough && found <= static_cast<std::size_t>(std::max(count.max, 0))) return;
+  if (is_enough && found <= static_cast<std::size_t>(std::max(count.max, 0))) return true;
   note(node.place, path,
        fmt::format("found {} {}, expected {}", found, found == 1 ? "entry" : "entries",
                    count_in_words(count)));
+  return false;
 }
 
 std::string MapReader::path_of(std::string_view key) const {

@@ -54,9 +54,10 @@ class MapReader final : public Parameters {
   const Node* scalar(const Parameter& what, const std::string& expected, bool may_be_quoted);
 
   bool read_number(const Node& node, const std::string& path, double& value, Range<double> range);
+  /// Reads `nodes` into `elements`, or, where their number does not fit, past them.
   void read_elements(const std::vector<const Node*>& nodes, const std::vector<std::string>& paths,
-                     Elements& elements);
-  void check_count(const Node& node, const std::string& path, std::size_t found, Range<int> count);
+                     Elements& elements, bool fits);
+  bool has_count(const Node& node, const std::string& path, std::size_t found, Range<int> count);
   std::string path_of(std::string_view key) const;
   void note(const Place& place, const std::string& path, std::string_view message);
   void note_expected(const Node& found, const std::string& path, std::string_view expected);

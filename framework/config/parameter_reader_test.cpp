@@ -278,6 +278,21 @@ TEST(ReadParameters, ReportAMissingRequiredKeyAtItsMap) {
               ElementsAre("f.yaml:1:1: path: missing, expected text (where frames come from)"));
 }
 
+TEST(ReadParameters, KeepAListOfTheRightLengthForTheRulesThatCountOnIt) {
+  std::vector<int> bounds{1, 2};
+  const Describe describe = [&](Parameters& p) {
+    p.list({"bounds", "lower, upper"}, bounds, {2, 2}, [](Parameters& e, int& bound) {
+      e.integer({"", "one of them"}, bound, {0, 9});
+    });
+    p.check("bounds", bounds.at(0) <= bounds.at(1), "found lower above upper");
+  };
+  EXPECT_THAT(read("bounds: [99]", describe),
+              ElementsAre("f.yaml:1:9: bounds: found 1 entry, expected 2",
+                          "f.yaml:1:10: bounds[0]: 99 is out of range, expected an integer from 0 "
+                          "to 9"));
+  EXPECT_THAT(bounds, ElementsAre(1, 2));
+}
+
 TEST(ReadParameters, JudgeNoRuleBetweenValuesThatCouldNotBeRead) {
   int low = 1;
   int high = 2;

@@ -25,7 +25,6 @@ class Chromatic final : public maggic::ColorNormalizer {
   void normalize(const maggic::ColorBatch& in,
                  const maggic::MutableColorBatch& out) const override {
     // In pieces, a loop a channel: the compiler turns each into vector instructions.
-    constexpr std::size_t kPiece = 1024;
     std::array<float, kPiece> inverse_sums;
     for (std::size_t start = 0; start < in.size(); start += kPiece) {
       const std::size_t count = std::min(kPiece, in.size() - start);
@@ -38,12 +37,18 @@ class Chromatic final : public maggic::ColorNormalizer {
   }
 
  private:
+  static constexpr std::size_t kPiece = 1024;
+
   static void invert_sums(const std::uint8_t* __restrict b, const std::uint8_t* __restrict g,
                           const std::uint8_t* __restrict r, std::span<float> inverse_sums) {
-    float* __restrict out = inverse_sums.data();
+    // The division gets a loop of its own: beside the test for black it would not vectorise.
+    std::array<std::int16_t, kPiece> divisors;
     for (std::size_t i = 0; i < inverse_sums.size(); ++i) {
       const auto sum = static_cast<std::int16_t>(b[i] + g[i] + r[i]);
-      out[i] = 1.0F / static_cast<float>(std::max<std::int16_t>(sum, 1));
+      divisors[i] = std::max<std::int16_t>(sum, 1);
+    }
+    for (std::size_t i = 0; i < inverse_sums.size(); ++i) {
+      inverse_sums[i] = 1.0F / static_cast<float>(divisors[i]);
     }
   }
 

@@ -41,7 +41,7 @@ std::vector<Pair> matched(const Detections& found, const Detections& truth, doub
       if (pairs[i].first == pairs[k].first) conflicts.emplace_back(k, i);
     }
   }
-  tracking::AssignmentSolver solver(100'000);
+  tracking::AssignmentSolver solver(1'000'000);
   std::vector<int> chosen;
   solver.solve(scores, groups, conflicts, chosen);
   std::vector<Pair> result;

@@ -10,6 +10,7 @@ void AssignmentSolver::solve(std::span<const double> scores, std::span<const int
                              std::vector<int>& chosen) {
   chosen.clear();
   if (scores.empty()) return;
+  steps_ = 0;
   blocked_.assign(scores.size(), 0);
   build_neighbors(conflicts);
   build_components(scores, groups, conflicts);
@@ -93,10 +94,9 @@ void AssignmentSolver::solve_component(std::span<const double> scores,
     const double score_b = scores[ordered_[b.begin]];
     return score_a != score_b ? score_a > score_b : a.begin < b.begin;
   });
-  nodes_ = 0;
   current_.clear();
   search(scores, 0, 0.0);
-  if (nodes_ > node_budget_) ++cut_short_;
+  if (steps_ > step_budget_ && branches_.size() > 1) ++cut_short_;
 }
 
 void AssignmentSolver::choose_greedily(std::span<const double> scores,
@@ -121,10 +121,10 @@ void AssignmentSolver::search(std::span<const double> scores, std::size_t depth,
     best_score_ = score;
     best_ = current_;
   }
-  if (depth == branches_.size() || ++nodes_ > node_budget_) return;
+  if (depth == branches_.size() || ++steps_ > step_budget_) return;
   if (score + best_possible(scores, depth) <= best_score_ + 1e-12) return;
   const Group group = branches_[depth];
-  for (std::size_t i = group.begin; i < group.end && nodes_ <= node_budget_; ++i) {
+  for (std::size_t i = group.begin; i < group.end && steps_ <= step_budget_; ++i) {
     const int item = ordered_[i];
     if (blocked_[item] > 0) continue;
     current_.push_back(item);
@@ -136,10 +136,11 @@ void AssignmentSolver::search(std::span<const double> scores, std::size_t depth,
   search(scores, depth + 1, score);
 }
 
-double AssignmentSolver::best_possible(std::span<const double> scores, std::size_t depth) const {
+double AssignmentSolver::best_possible(std::span<const double> scores, std::size_t depth) {
   double total = 0.0;
   for (std::size_t g = depth; g < branches_.size(); ++g) {
     for (std::size_t i = branches_[g].begin; i < branches_[g].end; ++i) {
+      ++steps_;
       if (blocked_[ordered_[i]] > 0) continue;
       total += scores[ordered_[i]];
       break;

@@ -10,11 +10,12 @@ namespace maggic::tracking {
 
 /// Maximum-weight independent set. The conflict graph falls apart into connected components (robots
 /// that touch neither each other nor each other's blobs); each is solved exactly by branch and
-/// bound. A component that uses up its node budget keeps the best choice found so far, which is
-/// never worse than greedy, and is counted. Keeps its memory from call to call.
+/// bound. When the budget of steps is used up, every component left keeps the best choice found so
+/// far, which is never worse than greedy, and is counted. Keeps its memory from call to call.
 class AssignmentSolver {
  public:
-  explicit AssignmentSolver(int node_budget = 4000) : node_budget_(node_budget) {}
+  /// @param step_budget items looked at in one call of `solve`; bounds its time.
+  explicit AssignmentSolver(int step_budget = 100'000) : step_budget_(step_budget) {}
 
   /// @param scores worth of each item; items of 0 or less are never chosen.
   /// @param groups of each item a number from 0; at most one item of a group may be chosen. Groups
@@ -36,7 +37,7 @@ class AssignmentSolver {
   void solve_component(std::span<const double> scores, std::span<const int> groups);
   void choose_greedily(std::span<const double> scores, std::span<const int> groups);
   void search(std::span<const double> scores, std::size_t depth, double score);
-  double best_possible(std::span<const double> scores, std::size_t depth) const;
+  double best_possible(std::span<const double> scores, std::size_t depth);
   void block(int item, int step);
 
   struct Group {
@@ -44,7 +45,7 @@ class AssignmentSolver {
     std::size_t end = 0;
   };
 
-  int node_budget_;
+  int step_budget_;
   std::uint64_t cut_short_ = 0;
   std::vector<int> parents_;
   std::vector<int> group_items_;
@@ -58,7 +59,7 @@ class AssignmentSolver {
   std::vector<int> current_;
   std::vector<int> best_;
   double best_score_ = 0.0;
-  int nodes_ = 0;
+  int steps_ = 0;
 };
 
 }  // namespace maggic::tracking

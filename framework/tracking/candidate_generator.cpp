@@ -46,13 +46,14 @@ void CandidateGenerator::generate(const TagBlobs& blobs, std::vector<Candidate>&
       extend(blobs, start, 1, candidates);
     }
     if (candidates.size() - first > kMaxPerTeamBlob) {
-      std::stable_sort(candidates.begin() + static_cast<std::ptrdiff_t>(first), candidates.end(),
-                       [](const Candidate& x, const Candidate& y) {
-                         const auto worth = [](const Candidate& c) {
-                           return c.score + (c.color_id != kUnknownId ? kListedScore : 0.0);
-                         };
-                         return worth(x) > worth(y);
-                       });
+      std::sort(candidates.begin() + static_cast<std::ptrdiff_t>(first), candidates.end(),
+                [](const Candidate& x, const Candidate& y) {
+                  const auto worth = [](const Candidate& c) {
+                    return c.score + (c.color_id != kUnknownId ? kListedScore : 0.0);
+                  };
+                  if (worth(x) != worth(y)) return worth(x) > worth(y);
+                  return x.layout != y.layout ? x.layout < y.layout : x.blobs < y.blobs;
+                });
       candidates.resize(first + kMaxPerTeamBlob);
     }
   }

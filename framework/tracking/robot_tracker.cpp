@@ -166,12 +166,16 @@ double RobotTracker::confidence(const RobotTrack& track) const {
 }
 
 void RobotTracker::report(const TrackerInput& input, Detections& out) {
-  std::ranges::stable_sort(tracks_, [](const RobotTrack& a, const RobotTrack& b) {
+  const auto before = [](const RobotTrack& a, const RobotTrack& b) {
     const auto rank = [](const RobotTrack& track) {
       return static_cast<unsigned>(track.id);  // kUnknownId comes last
     };
     return a.team != b.team ? a.team < b.team : rank(a) < rank(b);
-  });
+  };
+  // By insertion: stable like std::stable_sort, which would allocate, and nearly sorted already.
+  for (auto it = tracks_.begin(); it != tracks_.end(); ++it) {
+    std::rotate(std::upper_bound(tracks_.begin(), it, *it, before), it, it + 1);
+  }
   for (const RobotTrack& track : tracks_) {
     describe_robot(input, track, out.robots.emplace_back());
   }

@@ -262,9 +262,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"NumbersYamlReadsInItsOwnWay",
                 "source: synthetic_match\n"
                 "segmenter: {hue_pivots: {gray_threshold: 010}}\n"
-                "field: {camera_height_mm: .nan, length_mm: .inf}\n"
+                "field: {robot_height_mm: .nan, length_mm: .inf}\n"
                 "tracker: two_tag\n",
-                {":2:42: ", ":3:27: ", ":3:44: "}},
+                {":2:42: ", ":3:26: ", ":3:43: "}},
         BadFile{"MissingTracker", "source: synthetic_match\n", {""}},
         BadFile{"MissingParameter", std::string(kPipeline) + "sinks:\n  - jsonl: {}\n", {":5:"}},
         BadFile{"UnknownPlugin",

@@ -18,9 +18,10 @@
 ///           - {hue: [5, 20], value: [0, 90]}
 ///           - {hue: [250, 10], saturation: [0, 60]}   # a span may run through 255 to 0
 ///
-/// Without `pivots` those of the paper are taken for the colours the palette has: red 0, orange 7,
-/// yellow 43, green 97, cyan 140, blue 151, magenta 235. Value and saturation are OpenCV's as well,
-/// of the colour the hue is taken of; where a rectangle names both, both must hold.
+/// Without `pivots`, or with none in it, those of the paper are taken for the colours the palette
+/// has: red 0, orange 7, yellow 43, green 97, cyan 140, blue 151, magenta 235. Value and saturation
+/// are OpenCV's as well, of the colour the hue is taken of; where a rectangle names both, both must
+/// hold.
 /// A colour without a hue (all channels equal) is background at any threshold.
 ///
 /// Source: MaggicVision, pivot segmentation. `hue_of: original` is the default because the
@@ -155,10 +156,10 @@ class HuePivots final : public maggic::ColorSegmenter {
     p.choice({"hue_of", "the colour whose hue is taken"}, hue_of_,
              {{"original", HueOf::kOriginal}, {"normalized", HueOf::kNormalized}});
     p.by_color({"pivots",
-                "hues of each colour to be found; absent: red 0, orange 7, yellow 43, green 97, "
+                "hues of each colour to be found; none: red 0, orange 7, yellow 43, green 97, "
                 "cyan 140, blue 151, magenta 235, as far as the palette has them",
                 "1/256 of the hue circle"},
-               pivots_, {1, 255}, [](Parameters& color, std::vector<int>& hues) {
+               pivots_, {0, 255}, [](Parameters& color, std::vector<int>& hues) {
                  color.list({"", "one hue or several", "1/256 of the hue circle"}, hues, {1, kHues},
                             [](Parameters& element, int& hue) {
                               element.integer({"", "a hue", "1/256 of the hue circle"}, hue,

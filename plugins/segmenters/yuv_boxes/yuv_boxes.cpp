@@ -48,8 +48,8 @@ void describe_bounds(Parameters& p, std::string_view key, std::string_view meani
                      std::vector<int>& bounds) {
   p.list({key, meaning, "8-bit steps", maggic::Presence::kRequired}, bounds, {2, 2},
          [](Parameters& element, int& bound) {
-           element.integer({"", "smallest, then largest value, both included", "8-bit steps"}, bound,
-                           {0, 255});
+           element.integer({"", "smallest, then largest value, both included", "8-bit steps"},
+                           bound, {0, 255});
          });
   if (bounds.size() != 2) return;  // The reader has said so.
   p.check(key, bounds[0] <= bounds[1],
@@ -77,8 +77,8 @@ using Plane = std::array<std::uint8_t, kPiece>;
 // The conversion in 16 bits, which doubles what a vector register holds. A sum of products is
 // split as 128·p + q, and (128·p + q) >> 10 = (p + (q >> 7)) >> 3 exactly. The results need no
 // clamping: over all colours they stay within 0 … 255.
-void convert_to_yuv(const ColorBatch& colors, std::uint8_t* __restrict y, std::uint8_t* __restrict u,
-                    std::uint8_t* __restrict v) {
+void convert_to_yuv(const ColorBatch& colors, std::uint8_t* __restrict y,
+                    std::uint8_t* __restrict u, std::uint8_t* __restrict v) {
   const std::uint8_t* __restrict blue = colors.b.data();
   const std::uint8_t* __restrict green = colors.g.data();
   const std::uint8_t* __restrict red = colors.r.data();
@@ -104,7 +104,7 @@ class YuvBoxes final : public maggic::ColorSegmenter {
                "absent: no gray filter",
                "8-bit steps"},
               gray_threshold_, {0, 255});
-    p.by_color({"boxes", "what each colour may be, the first listed box that holds a pixel wins", "",
+    p.by_color({"boxes", "what each colour may be; the first box that holds a pixel wins", "",
                 maggic::Presence::kRequired},
                boxes_, {1, 8}, [](Parameters& box_parameters, Box& box) {
                  describe_bounds(box_parameters, "y", "brightness", box.y);

@@ -39,6 +39,10 @@ void check_describe(const Maker<Stage>& construct, std::string_view yaml, Findin
     std::vector<Mistake> mistakes;
     read_parameters(parse_document(yaml, "parameters"), standard_palette(),
                     describe_of(*configured), mistakes);
+    for (const Mistake& mistake : mistakes) {
+      findings.add("its parameters are refused: {}", mistake.to_string());
+    }
+    if (!mistakes.empty()) return;
     const Node values = declared(*configured, DeclarationCheck::Values::kCheck, findings);
 
     // What a stage says of itself must be accepted as its configuration, and change nothing.

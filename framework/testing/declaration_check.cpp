@@ -126,11 +126,9 @@ void DeclarationCheck::group(const Parameter& what,
   describe_into(into, [&] { members(*this); });
 }
 
-void DeclarationCheck::check(std::string_view key, bool holds, std::string_view message) {
+// Whether the check holds is the reader's business: it decides what may be read.
+void DeclarationCheck::check(std::string_view key, bool /*holds*/, std::string_view message) {
   if (message.empty()) findings_.add("a check at '{}' has no message", key);
-  if (!holds && values_ == Values::kCheck) {
-    findings_.add("the stage refuses its own values: '{}' {}", key, message);
-  }
 }
 
 void DeclarationCheck::choice_index(const Parameter& what, std::size_t& index,

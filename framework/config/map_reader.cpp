@@ -66,13 +66,14 @@ std::optional<Label> color_label(const Palette& palette, std::string_view name) 
 }  // namespace
 
 MapReader::MapReader(const Node* node, std::string path, Place place, const Palette& palette,
-                     std::vector<Mistake>& mistakes)
+                     std::vector<Mistake>& mistakes, Completeness completeness)
     : node_(node),
       path_(std::move(path)),
       place_(std::move(place)),
       palette_(palette),
       mistakes_(mistakes),
-      mistakes_before_(mistakes.size()) {}
+      mistakes_before_(mistakes.size()),
+      completeness_(completeness) {}
 
 void MapReader::finish() {
   if (node_ == nullptr || node_->kind == Node::Kind::kNull || asked_for_itself_) return;
@@ -163,7 +164,7 @@ void MapReader::numbers(const Parameter& what, std::span<double> values, Range<d
 void MapReader::group(const Parameter& what, const std::function<void(Parameters&)>& members) {
   const Node* node = look_up(what, "a map");
   MapReader reader(node, path_of(what.key), node != nullptr ? node->place : place_, palette_,
-                   mistakes_);
+                   mistakes_, completeness_);
   members(reader);
   reader.finish();
 }
@@ -172,6 +173,7 @@ void MapReader::check(std::string_view key, bool holds, std::string_view message
   // A rule between values of which one was not read would only add noise.
   if (holds || mistakes_.size() > mistakes_before_) return;
   const Node* node = key.empty() || node_ == nullptr ? node_ : node_->find(key);
+  if (completeness_ == Completeness::kPart && (key.empty() || node == nullptr)) return;
   note(node != nullptr ? node->place : place_, path_of(key), message);
 }
 
@@ -262,9 +264,10 @@ const Node* MapReader::look_up(std::string_view key) {
 const Node* MapReader::look_up(const Parameter& what, std::string_view expected) {
   const Node* node = look_up(what.key);
   // A group left out is reported as a whole or not at all, and so is one that is no map.
-  const bool is_open_map = node_ != nullptr && (node_->kind == Node::Kind::kMap ||
-                                                node_->kind == Node::Kind::kNull);
-  if (node == nullptr && is_open_map && what.presence == Presence::kRequired) {
+  const bool is_whole_map =
+      completeness_ == Completeness::kWhole && node_ != nullptr &&
+      (node_->kind == Node::Kind::kMap || node_->kind == Node::Kind::kNull);
+  if (node == nullptr && is_whole_map && what.presence == Presence::kRequired) {
     note(place_, path_of(what.key), fmt::format("missing, expected {} ({})", expected,
                                                 what.meaning));
   }
@@ -303,7 +306,9 @@ void MapReader::read_elements(const std::vector<const Node*>& nodes,
                               const std::vector<std::string>& paths, Elements& elements,
                               bool fits) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    MapReader reader(nodes[i], paths[i], nodes[i]->place, palette_, mistakes_);
+    // An element is whole even where the map around it is a part: lists replace lists.
+    MapReader reader(nodes[i], paths[i], nodes[i]->place, palette_, mistakes_,
+                     Completeness::kWhole);
     // A list of a wrong length keeps its default, which `check` may count on; what is written is
     // read all the same, for its mistakes.
     if (fits) {

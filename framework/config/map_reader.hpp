@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "maggic/document.hpp"
+#include "maggic/parameter_reader.hpp"
 #include "maggic/parameters.hpp"
 
 namespace maggic {
@@ -21,7 +22,7 @@ class MapReader final : public Parameters {
   /// @param path of the node below the section, for messages; empty for the section itself.
   /// @param place of mistakes that have no node of their own.
   MapReader(const Node* node, std::string path, Place place, const Palette& palette,
-            std::vector<Mistake>& mistakes);
+            std::vector<Mistake>& mistakes, Completeness completeness);
 
   /// Reports what `describe` never asked for. Called once, after `describe`.
   void finish();
@@ -68,6 +69,7 @@ class MapReader final : public Parameters {
   const Palette& palette_;
   std::vector<Mistake>& mistakes_;
   std::size_t mistakes_before_;
+  Completeness completeness_;
   std::vector<std::string> asked_;
   bool asked_for_itself_ = false;  ///< Read through the empty key: no map of parameters.
 };

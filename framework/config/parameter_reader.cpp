@@ -10,13 +10,13 @@
 namespace maggic {
 
 void read_parameters(const Node& node, const Palette& palette, const Describe& describe,
-                     std::vector<Mistake>& mistakes) {
+                     std::vector<Mistake>& mistakes, Completeness completeness) {
   if (node.kind == Node::Kind::kScalar || node.kind == Node::Kind::kSequence) {
     mistakes.push_back(mistake_at(
         node.place, fmt::format("found {}, expected a map of parameters", description_of(node))));
     return;
   }
-  MapReader reader(&node, "", node.place, palette, mistakes);
+  MapReader reader(&node, "", node.place, palette, mistakes, completeness);
   describe(reader);
   reader.finish();
 }

@@ -293,6 +293,26 @@ TEST(ReadParameters, KeepAListOfTheRightLengthForTheRulesThatCountOnIt) {
   EXPECT_THAT(bounds, ElementsAre(1, 2));
 }
 
+TEST(ReadParameters, MayLackRequiredKeysWhereTheyAreAPart) {
+  std::string path;
+  int size = 1;
+  std::vector<Mistake> mistakes;
+  const auto read_part = [&](std::string_view yaml) {
+    read_parameters(parse_document(yaml, "f.yaml"), Palette::standard(),
+                    [&](Parameters& p) {
+                      p.text({"path", "where", "", Presence::kRequired}, path);
+                      p.integer({"size", "how much"}, size, {0, 9});
+                      p.check("path", !path.empty(), "is empty, expected a file");
+                    },
+                    mistakes, Completeness::kPart);
+  };
+  read_part("size: 3");
+  EXPECT_THAT(mistakes, IsEmpty());
+  read_part("path: ''");
+  ASSERT_EQ(mistakes.size(), 1u);
+  EXPECT_EQ(mistakes[0].to_string(), "f.yaml:1:7: path: is empty, expected a file");
+}
+
 TEST(ReadParameters, JudgeNoRuleBetweenValuesThatCouldNotBeRead) {
   int low = 1;
   int high = 2;

@@ -72,6 +72,12 @@ class Assembly {
     Palette palette = Palette::standard();
     const Node* section = document_.find("palette");
     if (section == nullptr) return palette;
+    constexpr std::size_t kMostColors = 255;
+    if (section->entries.size() > kMostColors) {
+      note(section->place, fmt::format("palette: found {} colours, expected at most {}",
+                                       section->entries.size(), kMostColors));
+      return palette;
+    }
     read_section("palette", palette, [&](Parameters& p) {
       for (const Node::Entry& entry : section->entries) {
         std::array<double, 3> rgb{};

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "config/wording.hpp"
-#include "maggic/parameter_reader.hpp"
 #include "pipeline/stage_guard.hpp"
 
 namespace maggic {
@@ -48,7 +47,7 @@ StageHome& give_home(StagePtr<Stage>& stage, const Palette& palette, StageReport
 std::optional<std::string> StageBuilder::check(StageKind kind, const Node::Entry& plugin) {
   try {
     const StagePtr<Stage> stage = registry_.create(kind, plugin.key);
-    read(*stage, kind, plugin);
+    read(*stage, kind, plugin, Completeness::kPart);
   } catch (const PluginError& e) {
     return e.what();
   }
@@ -79,7 +78,7 @@ StagePtr<Stage> StageBuilder::build(StageKind kind, const Node::Entry& plugin) {
     note(plugin.key_place, e.what());
     return stage;
   }
-  if (!read(*stage, kind, plugin)) return {};
+  if (!read(*stage, kind, plugin, Completeness::kWhole)) return {};
   StageHome& home = give_home(stage, palette_, StageReporter(kind, plugin.key, reporter_));
   try {
     guarded(kind, plugin.key, "to prepare",
@@ -91,11 +90,13 @@ StagePtr<Stage> StageBuilder::build(StageKind kind, const Node::Entry& plugin) {
   return stage;
 }
 
-bool StageBuilder::read(Stage& stage, StageKind kind, const Node::Entry& plugin) {
+bool StageBuilder::read(Stage& stage, StageKind kind, const Node::Entry& plugin,
+                        Completeness completeness) {
   const std::size_t before = mistakes_.size();
   try {
     guarded(kind, plugin.key, "to describe its parameters", [&] {
-      read_parameters(plugin.value, palette_, [&](Parameters& p) { stage.describe(p); }, mistakes_);
+      read_parameters(plugin.value, palette_, [&](Parameters& p) { stage.describe(p); }, mistakes_,
+                      completeness);
     });
   } catch (const StageError& e) {
     note(plugin.key_place, e.what());

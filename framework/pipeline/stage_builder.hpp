@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "maggic/document.hpp"
+#include "maggic/parameter_reader.hpp"
 #include "maggic/pipeline.hpp"
 #include "maggic/plugin_registry.hpp"
 
@@ -35,14 +36,14 @@ class StageBuilder {
     return named;
   }
 
-  /// Reads parameters that no stage of the pipeline will use.
+  /// Reads parameters, perhaps a part of them, that no stage of the pipeline will use.
   /// @return why they could not be read: the plugin did not load.
   std::optional<std::string> check(StageKind kind, const Node::Entry& plugin);
 
  private:
   const Node::Entry* plugin_in(const Node& section, StageKind kind);
   StagePtr<Stage> build(StageKind kind, const Node::Entry& plugin);
-  bool read(Stage& stage, StageKind kind, const Node::Entry& plugin);
+  bool read(Stage& stage, StageKind kind, const Node::Entry& plugin, Completeness completeness);
   void note(const Place& place, std::string message);
 
   const Palette& palette_;

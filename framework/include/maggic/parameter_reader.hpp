@@ -14,12 +14,17 @@ namespace maggic {
 
 using Describe = std::function<void(Parameters&)>;
 
+/// Whether a map is all there is, or part of one that lies elsewhere (an unused calibration block).
+enum class Completeness { kWhole, kPart };
+
 /// Reads the map `node` (null counts as an empty map) through `describe`. Mistakes are appended:
 /// wrong types, values out of range, missing required keys, and keys `describe` never asked for,
 /// each with the known keys or the nearest one. Numbers are decimal (or 0x…) only: `010` and
-/// `.nan` are mistakes, and so is a quoted number.
+/// `.nan` are mistakes, and so is a quoted number. A part may lack required keys, and rules are
+/// judged only where they concern a key it holds.
 void read_parameters(const Node& node, const Palette& palette, const Describe& describe,
-                     std::vector<Mistake>& mistakes);
+                     std::vector<Mistake>& mistakes,
+                     Completeness completeness = Completeness::kWhole);
 
 /// Configures and prepares a stage from YAML text, as tests and tools like it.
 /// @throws ConfigError with every mistake.

@@ -25,9 +25,10 @@ void extract(benchmark::State& state) {
   state.SetLabel(bench::name_of(scene));
   state.counters["runs"] = static_cast<double>(runs.size());
   state.counters["blobs"] = static_cast<double>(blobs.size());
+  constexpr auto kSecondsPerItem =
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
   state.counters["s/run"] =
-      benchmark::Counter(static_cast<double>(runs.size()),
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      benchmark::Counter(static_cast<double>(runs.size()), kSecondsPerItem);
 }
 
 BENCHMARK(extract)

@@ -22,9 +22,10 @@ void extract(benchmark::State& state) {
   }
   state.SetLabel(bench::name_of(scene));
   state.counters["runs"] = static_cast<double>(runs.size());
+  constexpr auto kSecondsPerItem =
+      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
   state.counters["s/pixel"] =
-      benchmark::Counter(static_cast<double>(frame.total()),
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      benchmark::Counter(static_cast<double>(frame.total()), kSecondsPerItem);
 }
 
 BENCHMARK(extract)

@@ -28,7 +28,9 @@ LengthScale::LengthScale(const std::array<std::uint32_t, 256>& numerators)
     }
   }
   for (std::size_t n = 1; n < upper.size(); ++n) upper[n] = std::min(upper[n], upper[n - 1]);
-  for (std::size_t n = lower.size() - 1; n > 0; --n) lower[n - 1] = std::max(lower[n - 1], lower[n]);
+  for (std::size_t n = lower.size() - 1; n > 0; --n) {
+    lower[n - 1] = std::max(lower[n - 1], lower[n]);
+  }
   for (std::size_t n = 1; n < factors_.size(); ++n) {
     factors_[n] = static_cast<float>((lower[n] + upper[n]) / 2);
   }

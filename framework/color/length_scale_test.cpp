@@ -34,7 +34,8 @@ std::size_t wrong_quotients(const std::array<std::uint32_t, 256>& numerators) {
           continue;
         }
         for (const unsigned c : {blue, green, red}) {
-          const auto q = static_cast<std::uint64_t>(static_cast<float>(numerators[c]) * factors[blue]);
+          const float quotient = static_cast<float>(numerators[c]) * factors[blue];
+          const auto q = static_cast<std::uint64_t>(quotient);
           wrong += !is_floor(q, numerators[c], squared);
         }
       }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -110,7 +109,8 @@ TEST(RunExtractor, GivesNoRunForBackground) {
 }
 
 TEST(RunExtractor, EndsARunAtTheEndOfItsRow) {
-  for (const std::uint16_t width : std::initializer_list<std::uint16_t>{1, 7, 8, 9, 64}) {
+  const std::vector<std::uint16_t> widths{1, 7, 8, 9, 64};
+  for (const std::uint16_t width : widths) {
     const cv::Mat labels(2, width, CV_8UC1, cv::Scalar(1));
     EXPECT_THAT(runs_of(labels), ElementsAre(maggic::Run{0, 0, width, 1}, maggic::Run{1, 0, width, 1}));
   }

@@ -25,10 +25,10 @@ void extract(benchmark::State& state) {
   state.SetLabel(bench::name_of(scene));
   state.counters["runs"] = static_cast<double>(runs.size());
   state.counters["blobs"] = static_cast<double>(blobs.size());
-  constexpr auto kSecondsPerItem =
+  const auto seconds_per_item =
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
   state.counters["s/run"] =
-      benchmark::Counter(static_cast<double>(runs.size()), kSecondsPerItem);
+      benchmark::Counter(static_cast<double>(runs.size()), seconds_per_item);
 }
 
 BENCHMARK(extract)

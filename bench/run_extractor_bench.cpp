@@ -22,10 +22,10 @@ void extract(benchmark::State& state) {
   }
   state.SetLabel(bench::name_of(scene));
   state.counters["runs"] = static_cast<double>(runs.size());
-  constexpr auto kSecondsPerItem =
+  const auto seconds_per_item =
       benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
   state.counters["s/pixel"] =
-      benchmark::Counter(static_cast<double>(frame.total()), kSecondsPerItem);
+      benchmark::Counter(static_cast<double>(frame.total()), seconds_per_item);
 }
 
 BENCHMARK(extract)

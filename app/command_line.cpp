@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 namespace maggic::app {
 namespace {
@@ -33,8 +33,7 @@ std::string wrong_command_text(std::span<const char* const> arguments) {
       ++i;
     } else if (!word.starts_with('-')) {
       if (std::ranges::find(kCommands, word) != kCommands.end()) return {};
-      return fmt::format("unknown command '{}' (known: {})\n", word,
-                         fmt::join(kCommands, ", "));
+      return fmt::format("unknown command '{}' (known: {})\n", word, fmt::join(kCommands, ", "));
     }
   }
   return {};
@@ -46,8 +45,9 @@ std::variant<CommandLine, EarlyEnd> parse_command_line(std::span<const char* con
   CLI::App app("Maggic finds robots and ball in the pictures of a robot-soccer field.", "maggic");
   app.require_subcommand(1);
   app.fallthrough();
-  app.footer("Exit codes: 0 fine, 1 something failed during the run, 2 wrong usage or "
-             "configuration.\n'maggic COMMAND --help' tells more.");
+  app.footer(
+      "Exit codes: 0 fine, 1 something failed during the run, 2 wrong usage or "
+      "configuration.\n'maggic COMMAND --help' tells more.");
 
   CommandLine line;
   app.add_option("--plugin-path", line.plugin_folders,
@@ -60,7 +60,8 @@ std::variant<CommandLine, EarlyEnd> parse_command_line(std::span<const char* con
   add_pipeline_options(*run_app, run.pipeline);
   run_app->add_option("--frames", run.frames, "End after so many frames")
       ->check(CLI::PositiveNumber);
-  run_app->add_option("--duration", run.duration_s, "End after so many seconds of the source's time")
+  run_app
+      ->add_option("--duration", run.duration_s, "End after so many seconds of the source's time")
       ->check(CLI::PositiveNumber);
   run_app->add_option("--output", run.output, "Write JSON Lines here ('-': standard output)");
   run_app->add_option("--video", run.video, "Write an annotated video here (.mp4)");

@@ -9,7 +9,8 @@
 namespace maggic::app {
 namespace {
 
-constexpr int kBarCells = 20;
+/// Short on narrow terminals: the numbers tell more than the bar.
+int bar_cells(int width) { return width >= 150 ? 20 : width >= 110 ? 10 : 6; }
 
 double ms(std::chrono::nanoseconds t) {
   return std::chrono::duration<double, std::milli>(t).count();
@@ -23,12 +24,13 @@ std::string clock(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
-std::string progress(const LiveState& state) {
+std::string progress(const LiveState& state, int width) {
   if (!state.total || *state.total == 0) return fmt::format("frame {}", state.processed);
   const double done =
       std::min(1.0, static_cast<double>(state.processed) / static_cast<double>(*state.total));
-  const int cells = static_cast<int>(done * kBarCells);
-  std::string text = fmt::format("[{:#<{}}{:-<{}}] {:3.0f}%", "", cells, "", kBarCells - cells,
+  const int bar = bar_cells(width);
+  const int cells = static_cast<int>(done * bar);
+  std::string text = fmt::format("[{:#<{}}{:-<{}}] {:3.0f}%", "", cells, "", bar - cells,
                                  std::floor(done * 100.0));
   // The rate of the whole run: the latest one jumps, and so would the time left.
   if (state.processed > 0 && done < 1.0) {
@@ -49,15 +51,14 @@ Quantiles quantiles_of(const DurationHistogram& histogram) {
 
 std::string live_line(const LiveState& state, int width) {
   std::vector<std::string> parts;
-  parts.push_back(progress(state));
-  parts.push_back(fmt::format("{:.1f} fps", state.frames_per_second));
+  parts.push_back(progress(state, width));
+  parts.push_back(fmt::format("{:.0f} fps", state.frames_per_second));
   parts.push_back(fmt::format("{} robot{}{}", state.robots, state.robots == 1 ? "" : "s",
-                              state.ball ? " + ball" : ", no ball"));
+                              state.ball ? "+ball" : ", no ball"));
   if (state.failed > 0) parts.push_back(fmt::format("{} failed", state.failed));
   parts.push_back(fmt::format("{} dropped", state.dropped));
   if (state.skipped > 0) parts.push_back(fmt::format("{} skipped", state.skipped));
-  std::string times = "ms p50/p99: " + quantiles_text("frame", state.frame_path);
-  parts.push_back(times);
+  parts.push_back(quantiles_text("p50/p99", state.frame_path) + " ms");
   for (const Step step : {Step::kSegment, Step::kBlobs, Step::kTrack, Step::kRead}) {
     parts.push_back(quantiles_text(name_of(step), state.steps[static_cast<std::size_t>(step)]));
   }

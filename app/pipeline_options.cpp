@@ -54,10 +54,10 @@ fs::path find_configuration(std::string_view name, const std::vector<fs::path>& 
   std::error_code ignored;
   if (!name.empty() && fs::exists(name, ignored)) return name;  // a folder: reading it says so
   const std::vector<std::string> known = names_in(folders);
-  throw ConfigError({{std::string(name), 0, 0,
-                      known.empty()
-                          ? "no such file"
-                          : fmt::format("no such file (known names: {})", fmt::join(known, ", "))}});
+  throw ConfigError(
+      {{std::string(name), 0, 0,
+        known.empty() ? "no such file"
+                      : fmt::format("no such file (known names: {})", fmt::join(known, ", "))}});
 }
 
 PipelineRequest make_request(const PipelineOptions& options) {

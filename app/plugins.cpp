@@ -20,8 +20,8 @@ ExitCode plugins_command(const PluginsOptions& /*options*/, const CommandLine& l
   TextTable found({Align::kLeft, Align::kLeft, Align::kLeft, Align::kLeft});
   found.add({"KIND", "NAME", "WHAT IT DOES", "FILE"});
   for (const PluginInfo& plugin : scan.plugins) {
-    found.add({std::string(name_of(plugin.kind)), plugin.name, plugin.summary,
-               plugin.file.string()});
+    found.add(
+        {std::string(name_of(plugin.kind)), plugin.name, plugin.summary, plugin.file.string()});
   }
   fmt::print("{}", found.to_string(0, width));
 

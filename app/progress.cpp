@@ -11,8 +11,7 @@ constexpr double kRateSmoothing = 0.2;  // weight of the latest interval on a te
 
 }  // namespace
 
-Progress::Progress(Console& console)
-    : console_(console), thread_([this] { show_until_done(); }) {}
+Progress::Progress(Console& console) : console_(console), thread_([this] { show_until_done(); }) {}
 
 Progress::~Progress() {
   {

@@ -61,8 +61,7 @@ class DurationLimit {
     if (!duration_s_) return false;
     if (!first_) first_ = captured;
     // A frame stands for the time until the next one: 10 s at 60 fps are 600 frames, not 601.
-    const double frame_s =
-        source.frames_per_second > 0.0 ? 1.0 / source.frames_per_second : 0.0;
+    const double frame_s = source.frames_per_second > 0.0 ? 1.0 / source.frames_per_second : 0.0;
     const double covered_s = duration<double>(captured - *first_).count() + frame_s;
     return covered_s >= *duration_s_ - frame_s / 2.0;
   }
@@ -75,7 +74,9 @@ class DurationLimit {
 std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
                                              const SourceInfo& source) {
   std::optional<std::uint64_t> total = source.frame_count;
-  const auto limit = [&](std::uint64_t frames) { total = std::min(total.value_or(frames), frames); };
+  const auto limit = [&](std::uint64_t frames) {
+    total = std::min(total.value_or(frames), frames);
+  };
   if (options.frames) limit(*options.frames);
   if (options.duration_s && source.frames_per_second > 0.0) {
     limit(static_cast<std::uint64_t>(*options.duration_s * source.frames_per_second + 0.5));

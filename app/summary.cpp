@@ -24,8 +24,8 @@ std::string times_text(const StepStatistics& times) {
   TextTable table({Align::kLeft, Align::kRight, Align::kRight, Align::kRight, Align::kRight});
   table.add({"ms a frame", "mean", "p50", "p99", "max"});
   const auto add = [&](std::string_view name, const DurationHistogram& h) {
-    table.add({std::string(name), ms(h.mean()), ms(h.quantile(0.5)), ms(h.quantile(0.99)),
-               ms(h.max())});
+    table.add(
+        {std::string(name), ms(h.mean()), ms(h.quantile(0.5)), ms(h.quantile(0.99)), ms(h.max())});
   };
   for (const Step step : {Step::kRead, Step::kSegment, Step::kBlobs, Step::kTrack}) {
     add(name_of(step), times.of(step));
@@ -77,19 +77,18 @@ std::string truth_text(const TruthScore& truth) {
 }  // namespace
 
 std::string summary_text(const RunSummary& summary, const TruthScore& truth, double elapsed_s) {
-  const double rate =
-      elapsed_s > 0.0 ? static_cast<double>(summary.processed) / elapsed_s : 0.0;
-  std::string text = fmt::format("{} frames in {:.1f} s ({:.1f} fps), {} dropped, {} skipped",
-                                 summary.processed, elapsed_s, rate, summary.dropped,
-                                 summary.skipped);
+  const double rate = elapsed_s > 0.0 ? static_cast<double>(summary.processed) / elapsed_s : 0.0;
+  std::string text =
+      fmt::format("{} frames in {:.1f} s ({:.1f} fps), {} dropped, {} skipped", summary.processed,
+                  elapsed_s, rate, summary.dropped, summary.skipped);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   text += '\n';
   if (!summary.first_error.empty()) text += fmt::format("first error: {}\n", summary.first_error);
   if (summary.processed > 0) text += '\n' + times_text(summary.times);
   if (!summary.sinks.empty()) text += "\noutputs\n" + sinks_text(summary.sinks);
   if (truth.frames > 0) {
-    text += fmt::format("\nagainst the ground truth of {} frames\n{}", truth.frames,
-                        truth_text(truth));
+    text +=
+        fmt::format("\nagainst the ground truth of {} frames\n{}", truth.frames, truth_text(truth));
   }
   return text;
 }

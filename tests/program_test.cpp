@@ -13,16 +13,16 @@
 namespace maggic {
 namespace {
 
-using testing::Program;
-using testing::ProgramResult;
-using testing::text_of;
 using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
+using testing::Program;
+using testing::ProgramResult;
 using ::testing::StartsWith;
+using testing::text_of;
 
 constexpr const char* kPipeline =
     "source: {synthetic_match: {}}\n"
@@ -73,9 +73,9 @@ TEST_F(ProgramTest, RunsAPipelineToItsFrameLimitAndSumsUp) {
   const std::string output = folder_.file("out.jsonl");
   const auto result = maggic({"run", pipeline_, "--frames", "20", "--output", output});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("20 frames in"), HasSubstr("frame path"),
-                                HasSubstr("ground truth of 20 frames"),
-                                HasSubstr("jsonl  20  frames")));
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("20 frames in"), HasSubstr("frame path"),
+                    HasSubstr("ground truth of 20 frames"), HasSubstr("jsonl  20  frames")));
   EXPECT_EQ(lines_of(text_of(output)).size(), 20U);
 }
 
@@ -136,8 +136,8 @@ TEST_F(ProgramTest, CtrlCEndsTheRunWithCompleteOutputs) {
 TEST_F(ProgramTest, AFullDiskIsReportedTheRunGoesOnAndTheExitCodeIsOne) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const std::string good = folder_.file("good.jsonl");
-  const std::string two_sinks =
-      folder_.write("two.yaml", std::string(kPipeline) + "sinks: [{jsonl: {path: '" + good + "'}}]\n");
+  const std::string two_sinks = folder_.write(
+      "two.yaml", std::string(kPipeline) + "sinks: [{jsonl: {path: '" + good + "'}}]\n");
   const auto result = maggic({"run", two_sinks, "--frames", "10", "--output", "/dev/full"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.out, AllOf(HasSubstr("10 frames in"), HasSubstr("10 failed"),
@@ -194,8 +194,8 @@ TEST_F(ProgramTest, ListsPluginsAndWhyAFileWasRefused) {
   folder_.write("extra/not_a_library.so", "hello");
   const auto result = maggic({"plugins", "--plugin-path", folder_.file("extra")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("hue_pivots"), HasSubstr("two_tag"),
-                                HasSubstr("not_a_library.so")));
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("hue_pivots"), HasSubstr("two_tag"), HasSubstr("not_a_library.so")));
 }
 
 /// A bad pipeline file and the places of the mistakes that are to be told.
@@ -281,12 +281,15 @@ INSTANTIATE_TEST_SUITE_P(
                 {":2:42: ", ":3:9: ", ":4:10: "}},
         BadFile{"MalformedYaml", "source: synthetic_match\nfield: {length_mm: 3\n", {":"}},
         BadFile{"AListInsteadOfAMap", "- source\n- tracker\n", {":1:1: "}},
-        BadFile{"AWordInsteadOfAMap", "hello\n", {":1:1: "}},
-        BadFile{"AnEmptyFile", "", {""}},
+        BadFile{"AWordInsteadOfAMap", "hello\n", {":1:1: "}}, BadFile{"AnEmptyFile", "", {""}},
         BadFile{"ACycle", "source: &loop [*loop]\ntracker: two_tag\n", {":1:"}},
         BadFile{"BillionLaughs", billion_laughs(), {":"}},
         BadFile{"SeveralDocuments", std::string(kPipeline) + "---\n" + kPipeline, {":"}},
-        BadFile{"Binary", std::string("\x7f" "ELF\x02\x01\0\0\0\xff\xfe\0", 12), {":"}},
+        BadFile{"Binary",
+                std::string("\x7f"
+                            "ELF\x02\x01\0\0\0\xff\xfe\0",
+                            12),
+                {":"}},
         BadFile{"DeepNesting", std::string(100'000, '['), {":1:"}}),
     [](const auto& test) { return test.param.name; });
 

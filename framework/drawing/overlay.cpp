@@ -112,8 +112,8 @@ void Overlay::polyline(cv::Mat& out, const std::vector<cv::Point2d>& points_px, 
   cv::polylines(out, points_, closed, color, thickness, cv::LINE_AA, kSubpixelBits);
 }
 
-void Overlay::dashed_circle(cv::Mat& out, cv::Point2d center_px, double radius_px,
-                            cv::Scalar color, int thickness) {
+void Overlay::dashed_circle(cv::Mat& out, cv::Point2d center_px, double radius_px, cv::Scalar color,
+                            int thickness) {
   constexpr int kDashes = 10;
   constexpr int kPointsPerDash = 5;
   for (int dash = 0; dash < kDashes; ++dash) {
@@ -121,8 +121,7 @@ void Overlay::dashed_circle(cv::Mat& out, cv::Point2d center_px, double radius_p
     for (int i = 0; i < kPointsPerDash; ++i) {
       const double turn = (dash + 0.6 * i / (kPointsPerDash - 1)) / kDashes;
       const double angle = turn * 2.0 * CV_PI;
-      points_px_.push_back(center_px +
-                           cv::Point2d(std::cos(angle), std::sin(angle)) * radius_px);
+      points_px_.push_back(center_px + cv::Point2d(std::cos(angle), std::sin(angle)) * radius_px);
     }
     polyline(out, points_px_, false, color, thickness);
   }
@@ -186,8 +185,7 @@ void Overlay::draw_patch(cv::Mat& out, const TagSighting& tag, const std::vector
 void Overlay::draw_robot(cv::Mat& out, const RobotDetection& robot, const Field& field,
                          const std::vector<Blob>& blobs) {
   const double height_mm = field.robot_height_mm();
-  const double radius_px =
-      kRobotRadiusMm * pixels_per_mm(field, robot.centroid_px, height_mm);
+  const double radius_px = kRobotRadiusMm * pixels_per_mm(field, robot.centroid_px, height_mm);
   const cv::Scalar color = robot.team == Team::kBlue ? kBlueTeam : kYellowTeam;
   for (const TagSighting& tag : robot.tags) draw_patch(out, tag, blobs);
   if (robot.state == TrackState::kPredicted) {
@@ -258,13 +256,12 @@ void Overlay::draw_caption(cv::Mat& out, const FrameResult& result) {
       " = {:.2f} ms   (read {:.2f})",
       result.detections.sequence, elapsed_s, robots, robots == 1 ? "" : "s",
       result.detections.ball ? " + ball" : "", ms(result.times[Step::kSegment]),
-      ms(result.times[Step::kBlobs]), ms(result.times[Step::kTrack]),
-      ms(result.times.frame_path()), ms(result.times[Step::kRead]));
-  const std::string narrow = fmt::format("frame {}  {:.2f} ms", result.detections.sequence,
-                                         ms(result.times.frame_path()));
+      ms(result.times[Step::kBlobs]), ms(result.times[Step::kTrack]), ms(result.times.frame_path()),
+      ms(result.times[Step::kRead]));
+  const std::string narrow =
+      fmt::format("frame {}  {:.2f} ms", result.detections.sequence, ms(result.times.frame_path()));
   int baseline = 0;
-  const int wide_px =
-      cv::getTextSize(wide, cv::FONT_HERSHEY_SIMPLEX, 0.5, 1, &baseline).width;
+  const int wide_px = cv::getTextSize(wide, cv::FONT_HERSHEY_SIMPLEX, 0.5, 1, &baseline).width;
   cv::putText(out, wide_px + 12 < out.cols ? wide : narrow, cv::Point(6, out.rows - 9),
               cv::FONT_HERSHEY_SIMPLEX, 0.5, kPaper, 1, cv::LINE_AA);
 }

@@ -35,8 +35,7 @@ class OverlayTest : public ::testing::Test {
     return area.area() - cv::countNonZero(same);
   }
   static cv::Rect around(cv::Point2d center, int radius) {
-    return {cvRound(center.x) - radius, cvRound(center.y) - radius, 2 * radius + 1,
-            2 * radius + 1};
+    return {cvRound(center.x) - radius, cvRound(center.y) - radius, 2 * radius + 1, 2 * radius + 1};
   }
 
   RobotDetection robot_at(cv::Point2d centroid_px) const {

@@ -28,9 +28,9 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include "maggic/plugin.hpp"
 
@@ -48,14 +48,10 @@ double length(double value) { return rounded(value, 1e3); }
 double angle(double value) { return rounded(value, 1e5); }
 
 Json to_json(const BallDetection& ball) {
-  return {{"x_mm", length(ball.position_mm.x)},
-          {"y_mm", length(ball.position_mm.y)},
-          {"vx_mm_s", length(ball.velocity_mm_s.x)},
-          {"vy_mm_s", length(ball.velocity_mm_s.y)},
-          {"x_px", length(ball.centroid_px.x)},
-          {"y_px", length(ball.centroid_px.y)},
-          {"confidence", length(ball.confidence)},
-          {"state", name_of(ball.state)}};
+  return {{"x_mm", length(ball.position_mm.x)},      {"y_mm", length(ball.position_mm.y)},
+          {"vx_mm_s", length(ball.velocity_mm_s.x)}, {"vy_mm_s", length(ball.velocity_mm_s.y)},
+          {"x_px", length(ball.centroid_px.x)},      {"y_px", length(ball.centroid_px.y)},
+          {"confidence", length(ball.confidence)},   {"state", name_of(ball.state)}};
 }
 
 Json to_json(const RobotDetection& robot, const maggic::Palette& palette) {
@@ -111,11 +107,10 @@ class Jsonl final : public maggic::Sink {
     const Detections& found = result.detections;
     Json robots = Json::array();
     for (const RobotDetection& robot : found.robots) robots.push_back(to_json(robot, *palette_));
-    const Json line = {
-        {"frame", found.sequence},
-        {"t_capture", std::chrono::duration<double>(found.captured).count()},
-        {"ball", found.ball ? to_json(*found.ball) : Json()},
-        {"robots", std::move(robots)}};
+    const Json line = {{"frame", found.sequence},
+                       {"t_capture", std::chrono::duration<double>(found.captured).count()},
+                       {"ball", found.ball ? to_json(*found.ball) : Json()},
+                       {"robots", std::move(robots)}};
     // One system call a line: what the kernel has taken survives a crash of the program.
     write_line(line.dump() + '\n');
   }
@@ -131,8 +126,8 @@ class Jsonl final : public maggic::Sink {
   bool owns_descriptor() const { return descriptor_ >= 0 && descriptor_ != STDOUT_FILENO; }
 
   [[noreturn]] void fail(std::string_view what, int error) const {
-    throw std::runtime_error(fmt::format("cannot {} '{}': {}", what, path_,
-                                         std::generic_category().message(error)));
+    throw std::runtime_error(
+        fmt::format("cannot {} '{}': {}", what, path_, std::generic_category().message(error)));
   }
 
   void write_line(const std::string& line) {

@@ -120,9 +120,9 @@ class OverlayVideo final : public maggic::Sink {
                          std::clamp(cvRound(drawn_.rows * ratio), 1, video_size_.height));
     boxed_.create(video_size_, CV_8UC3);
     boxed_.setTo(cv::Scalar::all(0));
-    cv::Mat area = boxed_(cv::Rect(cv::Point((video_size_.width - inner.width) / 2,
-                                             (video_size_.height - inner.height) / 2),
-                                   inner));
+    cv::Mat area = boxed_(cv::Rect(
+        cv::Point((video_size_.width - inner.width) / 2, (video_size_.height - inner.height) / 2),
+        inner));
     cv::resize(drawn_, area, inner, 0, 0, cv::INTER_AREA);
   }
 

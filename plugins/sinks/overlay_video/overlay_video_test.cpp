@@ -3,9 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
-#include <unistd.h>
 
 #include "maggic/config_error.hpp"
 #include "maggic/testing.hpp"
@@ -23,8 +23,8 @@ class OverlayVideoSink : public ::testing::Test {
   ~OverlayVideoSink() override { std::filesystem::remove_all(folder_); }
 
   maggic::StagePtr<maggic::Sink> sink_to(const std::string& path, const std::string& more = "") {
-    return maggic::testing::make<maggic::Sink>(
-        "overlay_video", "{path: '" + path + "', codec: mp4v" + more + "}");
+    return maggic::testing::make<maggic::Sink>("overlay_video",
+                                               "{path: '" + path + "', codec: mp4v" + more + "}");
   }
 
   void write_frame(maggic::Sink& sink, cv::Size size) {

@@ -175,6 +175,40 @@ TEST_F(PipelineBuilder, TellsAPluginThatDoesNotFitAtThePlaceThatNamesIt) {
                           "pipeline.yaml:4:8: sinks: found a map, expected a list of sinks"));
 }
 
+class UnwillingStage : public PipelineBuilder {
+ protected:
+  UnwillingStage() {
+    std::vector<std::filesystem::path> folders = PluginRegistry::default_folders();
+    folders.emplace_back(MAGGIC_TEST_PLUGIN_DIR);
+    registry_ = PluginRegistry(folders);
+  }
+
+  PluginRegistry registry_;
+};
+
+TEST_F(UnwillingStage, IsAMistakeAtThePlaceThatNamesIt) {
+  const PipelineRequest r = request("source: synthetic_match\n"
+                                    "segmenter: hue_pivots\n"
+                                    "tracker: refusing_tracker\n");
+  try {
+    build_pipeline(r, registry_, reporter_);
+    FAIL();
+  } catch (const ConfigError& e) {
+    EXPECT_EQ(without_folder(e.mistakes().front()),
+              "pipeline.yaml:3:10: tracker 'refusing_tracker' failed to prepare: nobody plays in "
+              "the rain");
+  }
+}
+
+TEST_F(UnwillingStage, WarnsUnderItsName) {
+  const BuiltPipeline built =
+      build_pipeline(request("source: synthetic_match\n"
+                             "segmenter: hue_pivots\n"
+                             "tracker: {refusing_tracker: {refuse: false}}\n"),
+                     registry_, reporter_);
+  EXPECT_THAT(reporter_.messages(), ElementsAre("tracker 'refusing_tracker': the grass is wet"));
+}
+
 TEST_F(PipelineBuilder, AppliesAssignmentsToBareNamesToo) {
   PipelineRequest r = request();
   r.assignments = {"source.synthetic_match.seed=3", "tracker=three_tag", "field.length_mm=1600"};

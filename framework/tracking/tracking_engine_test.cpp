@@ -106,8 +106,9 @@ RC_GTEST_PROP(MatchingTest, FindsEveryRobotOfEveryLayoutAtOnce, (std::uint32_t s
   const std::vector<TagLayout>& layouts = layouts_of_choice(*rc::gen::inRange(0, 5));
   const std::vector<Placed> robots = random_robots(dice, layouts, 11, 0.0);
   Scene scene = scene_of(robots);
-  std::ranges::rotate(scene.blobs(), scene.blobs().begin() + static_cast<std::ptrdiff_t>(
-                                         scene.blobs().size() / 3));
+  std::vector<Blob>& blobs = scene.blobs();
+  std::rotate(blobs.begin(), blobs.begin() + static_cast<std::ptrdiff_t>(blobs.size() / 3),
+              blobs.end());
   Camera camera(layouts);
   assert_all_found(camera.look_at(scene), robots, 0.05, 0.05);
 }

@@ -101,7 +101,7 @@ bool CandidateGenerator::keeps_distances(const TagBlobs& blobs, const Candidate&
     const cv::Point2d seen = placed.position_mm - blob.position_mm;
     const double tolerance =
         (placed.is_half() || blob.is_half() ? 3.0 : 2.0) * parameters_.max_patch_error_mm;
-    if (std::abs(std::hypot(seen.x, seen.y) - std::hypot(expected.x, expected.y)) > tolerance) {
+    if (std::abs(std::sqrt(seen.dot(seen)) - std::sqrt(expected.dot(expected))) > tolerance) {
       return false;
     }
   }

@@ -47,8 +47,9 @@ int LayoutModel::find_id(const Label* colors) const {
 }
 
 bool LayoutModel::is_listed(int player, Label color) const {
-  return std::ranges::any_of(
-      ids, [&](const TagId& entry) { return entry.colors[static_cast<std::size_t>(player)] == color; });
+  return std::ranges::any_of(ids, [&](const TagId& entry) {
+    return entry.colors[static_cast<std::size_t>(player)] == color;
+  });
 }
 
 const TagId* LayoutModel::entry(int id) const {

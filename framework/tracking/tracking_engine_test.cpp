@@ -208,7 +208,8 @@ TEST(MatchingTest, RobotsSideBySideFaceToFaceAndNoseToTailAreNotCrossed) {
   // Neighbours as near as two cubes can be, in every relative direction.
   for (int turn_a = 0; turn_a < 4; ++turn_a) {
     for (int turn_b = 0; turn_b < 4; ++turn_b) {
-      for (const cv::Point2d apart : {cv::Point2d(75, 0), cv::Point2d(75, 35), cv::Point2d(0, 75)}) {
+      for (const cv::Point2d apart :
+           {cv::Point2d(75, 0), cv::Point2d(75, 35), cv::Point2d(0, 75)}) {
         const std::vector<Placed> robots{
             {Team::kBlue, 0, &layout, {{10, 20}, turn_a * kPi / 2}},
             {Team::kBlue, 1, &layout, {cv::Point2d(10, 20) + apart, turn_b * kPi / 2}},

@@ -32,7 +32,9 @@ bool is_cut_off_jpeg(std::span<const unsigned char> bytes) {
     at += is_fill_byte ? 1 : 2u + (bytes[at + 2] << 8 | bytes[at + 3]);
   }
   const auto rest = bytes.subspan(std::min(at, bytes.size()));
-  return std::ranges::search(rest, kEndOfImage).empty();
+  // Not std::ranges::search, which clang 14 cannot compile.
+  return std::search(rest.begin(), rest.end(), kEndOfImage.begin(), kEndOfImage.end()) ==
+         rest.end();
 }
 
 }  // namespace

@@ -87,12 +87,12 @@ class PipelineBuilder : public ::testing::Test {
 };
 
 TEST_F(PipelineBuilder, MakesEveryStageTheFileNames) {
-  const BuiltPipeline built = build(request(std::string(kPipeline) +
-                                            "palette: {teal: [0, 128, 129]}\n"
-                                            "normalizer: weighted\n"
-                                            "field: {length_mm: 2000}\n"
-                                            "blobs: {max_blobs: 12}\n"
-                                            "sinks: [{jsonl: {path: '-'}}]\n"));
+  const BuiltPipeline built =
+      build(request(std::string(kPipeline) + "palette: {teal: [0, 128, 129]}\n"
+                                             "normalizer: weighted\n"
+                                             "field: {length_mm: 2000}\n"
+                                             "blobs: {max_blobs: 12}\n"
+                                             "sinks: [{jsonl: {path: '-'}}]\n"));
   ASSERT_NE(built.pipeline, nullptr);
   const PipelineParts& parts = built.pipeline->parts();
   EXPECT_EQ(built.source.name, "synthetic_match");
@@ -187,9 +187,10 @@ class UnwillingStage : public PipelineBuilder {
 };
 
 TEST_F(UnwillingStage, IsAMistakeAtThePlaceThatNamesIt) {
-  const PipelineRequest r = request("source: synthetic_match\n"
-                                    "segmenter: hue_pivots\n"
-                                    "tracker: refusing_tracker\n");
+  const PipelineRequest r = request(
+      "source: synthetic_match\n"
+      "segmenter: hue_pivots\n"
+      "tracker: refusing_tracker\n");
   try {
     build_pipeline(r, registry_, reporter_);
     FAIL();

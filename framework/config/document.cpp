@@ -79,8 +79,7 @@ void parse_events(const std::string& text, const PlaceFinder& places, EventTree&
   } catch (const ReadingEnded&) {
     // The mistake is noted already.
   } catch (const YAML::Exception& e) {
-    mistakes.push_back(
-        mistake_at(places.at(e.mark.line, e.mark.column), in_plain_words(e.msg)));
+    mistakes.push_back(mistake_at(places.at(e.mark.line, e.mark.column), in_plain_words(e.msg)));
   } catch (const std::exception& e) {
     mistakes.push_back(
         mistake_at(places.at(-1, 0), fmt::format("found no valid YAML: {}", e.what())));
@@ -94,16 +93,14 @@ const Node* Node::find(std::string_view key) const {
   return found == entries.end() ? nullptr : &found->value;
 }
 
-Node* Node::find(std::string_view key) {
-  return const_cast<Node*>(std::as_const(*this).find(key));
-}
+Node* Node::find(std::string_view key) { return const_cast<Node*>(std::as_const(*this).find(key)); }
 
 Node parse_document(std::string_view text, std::string_view file_name,
                     const DocumentLimits& limits) {
   if (text.size() > limits.max_bytes) {
-    throw ConfigError({{std::string(file_name), 0, 0,
-                        fmt::format("found {} bytes, expected at most {}", text.size(),
-                                    limits.max_bytes)}});
+    throw ConfigError(
+        {{std::string(file_name), 0, 0,
+          fmt::format("found {} bytes, expected at most {}", text.size(), limits.max_bytes)}});
   }
   const std::string clean = normalized_text(text);
   const PlaceFinder places(clean, file_name);
@@ -111,10 +108,10 @@ Node parse_document(std::string_view text, std::string_view file_name,
     const std::string_view before = std::string_view(clean).substr(0, *bad);
     const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
     const auto line = std::ranges::count(before, '\n');
-    throw ConfigError({mistake_at(
-        places.at(static_cast<int>(line), static_cast<int>(*bad - line_start)),
-        fmt::format("found byte 0x{:02x}, which is no text, expected YAML in UTF-8",
-                    static_cast<unsigned char>(clean[*bad])))});
+    throw ConfigError(
+        {mistake_at(places.at(static_cast<int>(line), static_cast<int>(*bad - line_start)),
+                    fmt::format("found byte 0x{:02x}, which is no text, expected YAML in UTF-8",
+                                static_cast<unsigned char>(clean[*bad])))});
   }
 
   std::vector<Mistake> mistakes;

@@ -138,8 +138,8 @@ void merge_document(Node& base, const Node& over) {
 void set_in_document(Node& root, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos) {
-    refuse_assignment(1, fmt::format("found {}, expected path.to.key=value",
-                                     quoted_excerpt(assignment)));
+    refuse_assignment(
+        1, fmt::format("found {}, expected path.to.key=value", quoted_excerpt(assignment)));
   }
   const std::vector<PathElement> path = split_path(assignment.substr(0, equals));
   // Blanks in place of the path keep the columns of the value true.

@@ -69,7 +69,10 @@ TEST(ParsedDocument, WithoutContentIsNull) {
 }
 
 TEST(ParsedDocument, TakesByteOrderMarkAndWindowsLineEnds) {
-  const Node root = parse_document("\xEF\xBB\xBF" "a: 1\r\nb: |\r\n  x\r\n  y\r\n", "f.yaml");
+  const Node root = parse_document(
+      "\xEF\xBB\xBF"
+      "a: 1\r\nb: |\r\n  x\r\n  y\r\n",
+      "f.yaml");
   EXPECT_EQ(root.find("a")->scalar, "1");
   EXPECT_EQ(root.find("b")->scalar, "x\ny\n");
   EXPECT_EQ(root.entries[1].key_place.line, 2);
@@ -114,10 +117,12 @@ TEST(ParsedDocument, RefusesWhatIsNotInTheSubsetWithItsPlace) {
        {"f.yaml:2:10: found an alias to a node that contains it, expected no cycles"}},
       {"a: *nobody\n", {"f.yaml:1:4: found no valid YAML: the referenced anchor is not defined"}},
       {"a: 1\n\tb: 2\n", {"f.yaml:2:1: found a tab as indentation, expected spaces"}},
-      {"a: b: c\n", {"f.yaml:1:5: found a ':' where no key can be, expected one 'key: value' a "
-                     "line, evenly indented"}},
-      {"a:\n  b: 1\n c: 2\n", {"f.yaml:3:2: found a line that is indented unlike those above, "
-                               "expected even indentation"}},
+      {"a: b: c\n",
+       {"f.yaml:1:5: found a ':' where no key can be, expected one 'key: value' a "
+        "line, evenly indented"}},
+      {"a:\n  b: 1\n c: 2\n",
+       {"f.yaml:3:2: found a line that is indented unlike those above, "
+        "expected even indentation"}},
       {"a: [1, 2\n", {"f.yaml:2:1: found no ']' for a '[' above, expected one"}},
       {"a: {b: 2\n", {"f.yaml:2:1: found no '}' for a '{' above, expected one"}},
       {"a: 'open\n", {"f.yaml:2:1: found the end inside quotes, expected them closed"}},
@@ -134,10 +139,21 @@ TEST(ParsedDocument, RefusesWhatIsNotInTheSubsetWithItsPlace) {
 
 TEST(ParsedDocument, RefusesBytesThatAreNoText) {
   using namespace std::string_literals;
-  const std::string cases[] = {
-      "\0"s,         "\x04"s,     "\x1b[31m"s, "\x7f" "ELF"s, "\xff\xfe" "a\0"s, "\x80"s,
-      "\xc0\xaf"s,   "\xed\xa0\x80"s, "\xf4\x90\x80\x80"s, "\xe2\x82"s, "\xc2\x9b"s,
-      "x\xEF\xBB\xBF"s, "\r"s};
+  const std::string cases[] = {"\0"s,
+                               "\x04"s,
+                               "\x1b[31m"s,
+                               "\x7f"
+                               "ELF"s,
+                               "\xff\xfe"
+                               "a\0"s,
+                               "\x80"s,
+                               "\xc0\xaf"s,
+                               "\xed\xa0\x80"s,
+                               "\xf4\x90\x80\x80"s,
+                               "\xe2\x82"s,
+                               "\xc2\x9b"s,
+                               "x\xEF\xBB\xBF"s,
+                               "\r"s};
   for (const std::string& bytes : cases) {
     EXPECT_THAT(mistakes_in("a: 1\nb: \"" + bytes),
                 ElementsAre(AllOf(StartsWith("f.yaml:2:"), HasSubstr("no text, expected YAML"))));

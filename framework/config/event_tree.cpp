@@ -160,8 +160,8 @@ void EventTree::take_key(const Place& place, const std::string& text, bool quote
     return;
   }
   if (text.size() > kLongestKey) {
-    note(place, fmt::format("found a key of {} bytes, expected at most {}", text.size(),
-                            kLongestKey));
+    note(place,
+         fmt::format("found a key of {} bytes, expected at most {}", text.size(), kLongestKey));
     return;
   }
   const auto [first, is_new] = map.keys.try_emplace(text, place);
@@ -187,8 +187,8 @@ void EventTree::open(Node::Kind kind, const YAML::Mark& mark, const std::string&
   const Place here = place(mark);
   if (tag != "!") reject_tag(here, tag);
   if (open_.size() >= limits_.max_depth) {
-    stop(here, fmt::format("found nodes nested more than {} deep, expected less",
-                           limits_.max_depth));
+    stop(here,
+         fmt::format("found nodes nested more than {} deep, expected less", limits_.max_depth));
   }
   Open opened;
   opened.is_key = key_is_due();

@@ -86,8 +86,8 @@ void MapReader::finish() {
       note(entry.key_place, path_, unknown_name_message("key", entry.key, asked_));
     }
   } else if (!asked_.empty()) {
-    note_expected(*node_, path_, fmt::format("a map of parameters (known: {})",
-                                             fmt::join(asked_, ", ")));
+    note_expected(*node_, path_,
+                  fmt::format("a map of parameters (known: {})", fmt::join(asked_, ", ")));
   }
 }
 
@@ -229,8 +229,7 @@ void MapReader::color_elements(const Parameter& what, ColorElements& elements, R
     if (const std::optional<Label> label = color_label(palette_, entry.key)) {
       if (fits) elements.set_label(nodes.size(), *label);
     } else {
-      note(entry.key_place, path,
-           unknown_name_message("colour", entry.key, color_names(palette_)));
+      note(entry.key_place, path, unknown_name_message("colour", entry.key, color_names(palette_)));
     }
     nodes.push_back(&entry.value);
     paths.push_back(path.empty() ? entry.key : fmt::format("{}.{}", path, entry.key));
@@ -264,12 +263,11 @@ const Node* MapReader::look_up(std::string_view key) {
 const Node* MapReader::look_up(const Parameter& what, std::string_view expected) {
   const Node* node = look_up(what.key);
   // A group left out is reported as a whole or not at all, and so is one that is no map.
-  const bool is_whole_map =
-      completeness_ == Completeness::kWhole && node_ != nullptr &&
-      (node_->kind == Node::Kind::kMap || node_->kind == Node::Kind::kNull);
+  const bool is_whole_map = completeness_ == Completeness::kWhole && node_ != nullptr &&
+                            (node_->kind == Node::Kind::kMap || node_->kind == Node::Kind::kNull);
   if (node == nullptr && is_whole_map && what.presence == Presence::kRequired) {
-    note(place_, path_of(what.key), fmt::format("missing, expected {} ({})", expected,
-                                                what.meaning));
+    note(place_, path_of(what.key),
+         fmt::format("missing, expected {} ({})", expected, what.meaning));
   }
   return node;
 }
@@ -343,8 +341,8 @@ void MapReader::note(const Place& place, const std::string& path, std::string_vi
 void MapReader::note_expected(const Node& found, const std::string& path,
                               std::string_view expected) {
   if (found.kind == Node::Kind::kScalar && found.quoted && expected != "text") {
-    note(found.place, path, fmt::format("found {} in quotes, expected {}", description_of(found),
-                                        expected));
+    note(found.place, path,
+         fmt::format("found {} in quotes, expected {}", description_of(found), expected));
   } else {
     note(found.place, path, fmt::format("found {}, expected {}", description_of(found), expected));
   }

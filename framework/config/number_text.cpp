@@ -36,9 +36,7 @@ std::variant<unsigned long long, NumberFault> parsed_hexadecimal(std::string_vie
   return value;
 }
 
-bool is_hexadecimal(std::string_view text) {
-  return text.starts_with("0x") && text.size() > 2;
-}
+bool is_hexadecimal(std::string_view text) { return text.starts_with("0x") && text.size() > 2; }
 
 bool has_leading_zero(std::string_view digits) {
   return digits.size() > 1 && digits[0] == '0' && is_digit(digits[1]);

@@ -25,7 +25,8 @@ void configure_stage(Stage& stage, std::string_view yaml, const Palette& palette
                      Reporter& reporter) {
   const Node node = parse_document(yaml, "parameters");
   std::vector<Mistake> mistakes;
-  read_parameters(node, palette, [&](Parameters& p) { stage.describe(p); }, mistakes);
+  read_parameters(
+      node, palette, [&](Parameters& p) { stage.describe(p); }, mistakes);
   if (!mistakes.empty()) throw ConfigError(std::move(mistakes));
   stage.prepare({palette, reporter});
 }

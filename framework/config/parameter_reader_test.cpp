@@ -63,8 +63,9 @@ struct Settings {
     p.point({"center", "in the picture", "px"}, center, {0, 1000});
     p.choice<Shape>({"shape", "of the patch"}, shape,
                     {{"square", Shape::kSquare}, {"disc", Shape::kDisc}});
-    p.group({"group", "members below"},
-            [&](Parameters& g) { g.number({"inner", "in the group"}, inner, {0, 1}); });
+    p.group({"group", "members below"}, [&](Parameters& g) {
+      g.number({"inner", "in the group"}, inner, {0, 1});
+    });
     p.list({"pivots", "hues"}, pivots, {1, 3}, [](Parameters& e, int& hue) {
       e.integer({"", "hue", "1/256 turn"}, hue, {0, 255});
     });
@@ -208,12 +209,15 @@ TEST(ReadParameters, AreRefusedWithWhatWasFoundAndWhatWasExpected) {
       {"span: [1, 2, 3]", {"f.yaml:1:7: span: found a list of 3, expected a list of 2 numbers"}},
       {"span: 1", {"f.yaml:1:7: span: found '1', expected a list of 2 numbers"}},
       {"span: [1, x]", {"f.yaml:1:11: span[1]: found 'x', expected a number from 0 to 255"}},
-      {"center: [0, -1]", {"f.yaml:1:13: center[1]: -1 is out of range, expected a number from 0 "
-                           "to 1000"}},
-      {"limit: 'none'", {"f.yaml:1:8: limit: found 'none' in quotes, expected an integer from 1 "
-                         "to 9"}},
-      {"shape: disk", {"f.yaml:1:8: shape: unknown name 'disk', did you mean 'disc'? (known: "
-                       "square, disc)"}},
+      {"center: [0, -1]",
+       {"f.yaml:1:13: center[1]: -1 is out of range, expected a number from 0 "
+        "to 1000"}},
+      {"limit: 'none'",
+       {"f.yaml:1:8: limit: found 'none' in quotes, expected an integer from 1 "
+        "to 9"}},
+      {"shape: disk",
+       {"f.yaml:1:8: shape: unknown name 'disk', did you mean 'disc'? (known: "
+        "square, disc)"}},
       {"group: 1", {"f.yaml:1:8: group: found '1', expected a map of parameters (known: inner)"}},
       {"group: {iner: 1}",
        {"f.yaml:1:9: group: unknown key 'iner', did you mean 'inner'? (known: inner)"}},
@@ -225,8 +229,9 @@ TEST(ReadParameters, AreRefusedWithWhatWasFoundAndWhatWasExpected) {
         "f.yaml:1:17: pivots[2]: found a map" + integer}},
       {"patches: [{size_mm: 2}]",
        {"f.yaml:1:11: patches[0].name: missing, expected text (what it is called)"}},
-      {"patches: [left]", {"f.yaml:1:11: patches[0]: found 'left', expected a map of parameters "
-                           "(known: name, size_mm)"}},
+      {"patches: [left]",
+       {"f.yaml:1:11: patches[0]: found 'left', expected a map of parameters "
+        "(known: name, size_mm)"}},
       {"boxes: [1]", {"f.yaml:1:8: boxes: found a list, expected a map from colours"}},
       {"boxes: {rde: {y: [0, 1]}}",
        {"f.yaml:1:9: boxes: unknown colour 'rde', did you mean 'red'?" + colors}},
@@ -298,13 +303,14 @@ TEST(ReadParameters, MayLackRequiredKeysWhereTheyAreAPart) {
   int size = 1;
   std::vector<Mistake> mistakes;
   const auto read_part = [&](std::string_view yaml) {
-    read_parameters(parse_document(yaml, "f.yaml"), Palette::standard(),
-                    [&](Parameters& p) {
-                      p.text({"path", "where", "", Presence::kRequired}, path);
-                      p.integer({"size", "how much"}, size, {0, 9});
-                      p.check("path", !path.empty(), "is empty, expected a file");
-                    },
-                    mistakes, Completeness::kPart);
+    read_parameters(
+        parse_document(yaml, "f.yaml"), Palette::standard(),
+        [&](Parameters& p) {
+          p.text({"path", "where", "", Presence::kRequired}, path);
+          p.integer({"size", "how much"}, size, {0, 9});
+          p.check("path", !path.empty(), "is empty, expected a file");
+        },
+        mistakes, Completeness::kPart);
   };
   read_part("size: 3");
   EXPECT_THAT(mistakes, IsEmpty());

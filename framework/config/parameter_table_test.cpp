@@ -42,8 +42,9 @@ TEST(ParameterTable, HasARowForEveryParameter) {
                 p.color({"ball", "colour of it"}, ball);
                 p.numbers({"span", "from, to", "px"}, span, {0, 1});
                 p.choice<int>({"shape", "form"}, shape, {{"square", 0}, {"disc", 1}});
-                p.group({"group", "more"},
-                        [&](Parameters& g) { g.number({"inner", "in"}, inner, {0, 1}); });
+                p.group({"group", "more"}, [&](Parameters& g) {
+                  g.number({"inner", "in"}, inner, {0, 1});
+                });
               }),
               ElementsAre("enabled; true or false; true; ; ; whether",
                           "threshold; integer; 40; 0 … 255; steps; limit",
@@ -58,14 +59,14 @@ TEST(ParameterTable, ShowsNoneWhereAValueMayBeAbsent) {
   std::optional<double> height;
   std::optional<int> limit = 3;
   std::optional<cv::Point2d> center;
-  EXPECT_THAT(table([&](Parameters& p) {
-                p.number({"height", "above"}, height, {5, 10});
-                p.integer({"limit", "most"}, limit, {1, 9});
-                p.point({"center", "middle"}, center, {0, 9});
-              }),
-              ElementsAre("height; number; none; 5 … 10; ; above",
-                          "limit; integer; 3; 1 … 9; ; most",
-                          "center; [number ×2]; none; 0 … 9; ; middle"));
+  EXPECT_THAT(
+      table([&](Parameters& p) {
+        p.number({"height", "above"}, height, {5, 10});
+        p.integer({"limit", "most"}, limit, {1, 9});
+        p.point({"center", "middle"}, center, {0, 9});
+      }),
+      ElementsAre("height; number; none; 5 … 10; ; above", "limit; integer; 3; 1 … 9; ; most",
+                  "center; [number ×2]; none; 0 … 9; ; middle"));
   EXPECT_EQ(height, std::nullopt);
 }
 
@@ -80,11 +81,10 @@ TEST(ParameterTable, ShowsListsOfValuesInOneRowAndListsOfMapsWithTheirMembers) {
                 p.list({"pivots", "hues"}, pivots, {1, 3}, [](Parameters& e, int& hue) {
                   e.integer({"", "hue", "steps"}, hue, {0, 255});
                 });
-                p.list({"patches", "of the tag"}, patches, {0, 8},
-                       [](Parameters& e, Patch& patch) {
-                         e.text({"name", "called", "", Presence::kRequired}, patch.name);
-                         e.number({"size_mm", "edge", "mm"}, patch.size_mm, {1, 100});
-                       });
+                p.list({"patches", "of the tag"}, patches, {0, 8}, [](Parameters& e, Patch& patch) {
+                  e.text({"name", "called", "", Presence::kRequired}, patch.name);
+                  e.number({"size_mm", "edge", "mm"}, patch.size_mm, {1, 100});
+                });
               }),
               ElementsAre("pivots; [integer]; [1, 2]; 0 … 255, 1 … 3 entries; steps; hues",
                           "patches; list; [{name: left, size_mm: 20}]; 0 … 8 entries; ; of the tag",
@@ -97,17 +97,18 @@ TEST(ParameterTable, ShowsColourMapsWithAPlaceholderForTheColour) {
   const Label red = *Palette::standard().find("red");
   std::vector<std::pair<Label, std::array<double, 2>>> boxes{{red, {1, 2}}};
   std::vector<std::pair<Label, int>> hues{{red, 7}};
-  EXPECT_THAT(
-      table([&](Parameters& p) {
-        p.by_color({"boxes", "limits"}, boxes, {0, 9}, [](Parameters& e, auto& box) {
-          e.numbers({"y", "luma"}, box, {0, 255});
-        });
-        p.by_color({"hues", "pivot"}, hues, {0, std::numeric_limits<int>::max()},
-                   [](Parameters& e, int& hue) { e.integer({"", "hue"}, hue, {0, 255}); });
-      }),
-      ElementsAre("boxes; map by colour; {red: {y: [1, 2]}}; 0 … 9 entries; ; limits",
-                  "boxes.<color>.y; [number ×2]; [0, 0]; 0 … 255; ; luma",
-                  "hues.<color>; integer; {red: 7}; 0 … 255; ; pivot"));
+  EXPECT_THAT(table([&](Parameters& p) {
+                p.by_color({"boxes", "limits"}, boxes, {0, 9}, [](Parameters& e, auto& box) {
+                  e.numbers({"y", "luma"}, box, {0, 255});
+                });
+                p.by_color({"hues", "pivot"}, hues, {0, std::numeric_limits<int>::max()},
+                           [](Parameters& e, int& hue) {
+                             e.integer({"", "hue"}, hue, {0, 255});
+                           });
+              }),
+              ElementsAre("boxes; map by colour; {red: {y: [1, 2]}}; 0 … 9 entries; ; limits",
+                          "boxes.<color>.y; [number ×2]; [0, 0]; 0 … 255; ; luma",
+                          "hues.<color>; integer; {red: 7}; 0 … 255; ; pivot"));
 }
 
 }  // namespace

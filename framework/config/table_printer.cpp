@@ -63,9 +63,8 @@ void TablePrinter::numbers(const Parameter& what, std::span<double> values, Rang
 void TablePrinter::group(const Parameter& what, const std::function<void(Parameters&)>& members) {
   TablePrinter printer(path_of(what.key), palette_);
   members(printer);
-  rows_.push_back({path_of(what.key), "map",
-                   what.presence == Presence::kRequired ? "required" : "", "",
-                   std::string(what.unit), std::string(what.meaning)});
+  rows_.push_back({path_of(what.key), "map", what.presence == Presence::kRequired ? "required" : "",
+                   "", std::string(what.unit), std::string(what.meaning)});
   for (ParameterRow& row : printer.rows_) rows_.push_back(std::move(row));
   set_default(what.key, printer.take_defaults());
 }

@@ -60,8 +60,8 @@ inline rc::Gen<Node> any_leaf() {
 
 inline rc::Gen<Node> any_tree(int depth) {
   if (depth <= 0) return any_leaf();
-  return rc::gen::oneOf(any_leaf(), rc::gen::apply(collection, rc::gen::arbitrary<bool>(),
-                                                   members(depth)));
+  return rc::gen::oneOf(any_leaf(),
+                        rc::gen::apply(collection, rc::gen::arbitrary<bool>(), members(depth)));
 }
 
 inline rc::Gen<Node> any_map() {

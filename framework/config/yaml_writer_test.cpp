@@ -29,9 +29,9 @@ TEST(WrittenYaml, IsBlockStyleWithShortListsOnOneLine) {
 }
 
 TEST(WrittenYaml, QuotesWhatWouldBeReadAsSomethingElse) {
-  for (const char* text : {"", "~", "null", "a: b", "a #b", "- a", "#", "[a", "{a", "*a", "&a", "!a",
-                           "|", ">", "%", "@", "`", "'", "\"", " a", "a ", "a:", "<<", "---",
-                           "a\nb", "\t", "\x1b"}) {
+  for (const char* text :
+       {"",  "~", "null", "a: b", "a #b", "- a", "#",  "[a", "{a", "*a",  "&a",   "!a", "|",   ">",
+        "%", "@", "`",    "'",    "\"",   " a",  "a ", "a:", "<<", "---", "a\nb", "\t", "\x1b"}) {
     const Node again = tree(to_yaml(trees::scalar(text, false)));
     EXPECT_EQ(again.kind, Node::Kind::kScalar) << text;
     EXPECT_EQ(again.scalar, text);
@@ -39,7 +39,8 @@ TEST(WrittenYaml, QuotesWhatWouldBeReadAsSomethingElse) {
 }
 
 TEST(WrittenYaml, KeepsPlainTextPlainAndQuotedTextQuoted) {
-  for (const char* text : {"1", "-1", "-.5", "true", "a b", "http://h:80/x?y=z", "a,b", "a]b", "é"}) {
+  for (const char* text :
+       {"1", "-1", "-.5", "true", "a b", "http://h:80/x?y=z", "a,b", "a]b", "é"}) {
     EXPECT_FALSE(tree(to_yaml(trees::scalar(text, false))).quoted) << text;
     EXPECT_TRUE(tree(to_yaml(trees::scalar(text, true))).quoted) << text;
   }

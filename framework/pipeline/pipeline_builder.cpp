@@ -32,9 +32,9 @@ class Assembly {
   /// @throws ConfigError with every mistake.
   BuiltPipeline build(const std::vector<UnusedBlock>& unused) {
     if (document_.kind != Node::Kind::kMap) {
-      note(document_.place, fmt::format("found {}, expected a pipeline with the sections {}",
-                                        description_of(document_),
-                                        fmt::join(known_sections(), ", ")));
+      note(document_.place,
+           fmt::format("found {}, expected a pipeline with the sections {}",
+                       description_of(document_), fmt::join(known_sections(), ", ")));
       throw ConfigError(std::move(mistakes_));
     }
     refuse_unknown_sections();
@@ -106,8 +106,8 @@ class Assembly {
     const Node* section = document_.find("plugins");
     if (section == nullptr) return;
     if (section->kind != Node::Kind::kSequence) {
-      note(section->place, fmt::format("plugins: found {}, expected a list of folders",
-                                       description_of(*section)));
+      note(section->place,
+           fmt::format("plugins: found {}, expected a list of folders", description_of(*section)));
       return;
     }
     for (const Node& item : section->items) {
@@ -165,8 +165,8 @@ class Assembly {
     try {
       Field(field, field.image_size_px.area() > 0 ? field.image_size_px : any_size);
     } catch (const std::exception& e) {
-      note(section != nullptr ? section->place : document_.place, fmt::format("field: {}",
-                                                                              e.what()));
+      note(section != nullptr ? section->place : document_.place,
+           fmt::format("field: {}", e.what()));
     }
   }
 

@@ -45,10 +45,10 @@ std::optional<Node> load_map(const std::filesystem::path& file, std::string_view
   try {
     Node root = load_document(file);
     if (root.kind == Node::Kind::kMap) return root;
-    mistakes.push_back(mistake_at(root.place, fmt::format("found {}, expected {} with the sections "
-                                                          "{}",
-                                                          description_of(root), what,
-                                                          fmt::join(known_sections(), ", "))));
+    mistakes.push_back(mistake_at(
+        root.place, fmt::format("found {}, expected {} with the sections "
+                                "{}",
+                                description_of(root), what, fmt::join(known_sections(), ", "))));
   } catch (const ConfigError& e) {
     mistakes.insert(mistakes.end(), e.mistakes().begin(), e.mistakes().end());
   }
@@ -88,8 +88,8 @@ class CalibrationLayer {
       if (running != nullptr && running->key == block.key) {
         merge_document(running->value, block.value);
       } else if (running != nullptr) {
-        merged_.unused.push_back({stage.kind, std::move(block),
-                                  fmt::format("the pipeline runs '{}'", running->key)});
+        merged_.unused.push_back(
+            {stage.kind, std::move(block), fmt::format("the pipeline runs '{}'", running->key)});
       }
     }
   }
@@ -134,9 +134,9 @@ class CalibrationLayer {
 
   bool is_map(const Node& blocks) {
     if (blocks.kind == Node::Kind::kMap) return true;
-    merged_.mistakes.push_back(
-        mistake_at(blocks.place, fmt::format("found {}, expected plugins with their parameters",
-                                             description_of(blocks))));
+    merged_.mistakes.push_back(mistake_at(
+        blocks.place,
+        fmt::format("found {}, expected plugins with their parameters", description_of(blocks))));
     return false;
   }
 
@@ -179,8 +179,9 @@ void apply_assignment(MergedRequest& merged, std::string_view assignment) {
 }  // namespace
 
 const std::vector<std::string>& known_sections() {
-  static const std::vector<std::string> sections{"palette", "plugins", "source",  "normalizer",
-                                                 "segmenter", "field", "blobs", "tracker", "sinks"};
+  static const std::vector<std::string> sections{"palette",    "plugins",   "source",
+                                                 "normalizer", "segmenter", "field",
+                                                 "blobs",      "tracker",   "sinks"};
   return sections;
 }
 

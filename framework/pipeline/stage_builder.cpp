@@ -36,8 +36,8 @@ struct StageHome {
 StageHome& give_home(StagePtr<Stage>& stage, const Palette& palette, StageReporter reporter) {
   std::shared_ptr<const PluginLibrary>& library = stage.get_deleter().library;
   const PluginLibrary* const itself = library.get();
-  auto home = std::make_shared<StageHome>(StageHome{std::move(library), palette,
-                                                    std::move(reporter)});
+  auto home =
+      std::make_shared<StageHome>(StageHome{std::move(library), palette, std::move(reporter)});
   library = std::shared_ptr<const PluginLibrary>(home, itself);
   return *home;
 }
@@ -81,8 +81,7 @@ StagePtr<Stage> StageBuilder::build(StageKind kind, const Node::Entry& plugin) {
   if (!read(*stage, kind, plugin, Completeness::kWhole)) return {};
   StageHome& home = give_home(stage, palette_, StageReporter(kind, plugin.key, reporter_));
   try {
-    guarded(kind, plugin.key, "to prepare",
-            [&] { stage->prepare({home.palette, home.reporter}); });
+    guarded(kind, plugin.key, "to prepare", [&] { stage->prepare({home.palette, home.reporter}); });
   } catch (const StageError& e) {
     note(plugin.key_place, e.what());
     return {};
@@ -95,8 +94,9 @@ bool StageBuilder::read(Stage& stage, StageKind kind, const Node::Entry& plugin,
   const std::size_t before = mistakes_.size();
   try {
     guarded(kind, plugin.key, "to describe its parameters", [&] {
-      read_parameters(plugin.value, palette_, [&](Parameters& p) { stage.describe(p); }, mistakes_,
-                      completeness);
+      read_parameters(
+          plugin.value, palette_, [&](Parameters& p) { stage.describe(p); }, mistakes_,
+          completeness);
     });
   } catch (const StageError& e) {
     note(plugin.key_place, e.what());

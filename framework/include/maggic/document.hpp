@@ -31,10 +31,10 @@ class Node {
 
   Kind kind = Kind::kNull;
   Place place;
-  std::string scalar;         ///< Text of a scalar, unquoted.
-  bool quoted = false;        ///< A quoted scalar is text even if it looks like a number.
-  std::vector<Node> items;    ///< Of a sequence.
-  std::vector<Entry> entries; ///< Of a map, in file order, keys unique.
+  std::string scalar;          ///< Text of a scalar, unquoted.
+  bool quoted = false;         ///< A quoted scalar is text even if it looks like a number.
+  std::vector<Node> items;     ///< Of a sequence.
+  std::vector<Entry> entries;  ///< Of a map, in file order, keys unique.
 
   /// The value under `key` of a map; null pointer when it is absent or this is no map.
   const Node* find(std::string_view key) const;

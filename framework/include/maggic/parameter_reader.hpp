@@ -33,10 +33,10 @@ void configure_stage(Stage& stage, std::string_view yaml, const Palette& palette
 
 /// One line of `maggic describe`.
 struct ParameterRow {
-  std::string path;      ///< "gray_threshold", "boxes.<color>.y", "layouts[].name".
-  std::string type;      ///< "integer", "number", "text", "one of a|b", "[number ×2]", …
+  std::string path;           ///< "gray_threshold", "boxes.<color>.y", "layouts[].name".
+  std::string type;           ///< "integer", "number", "text", "one of a|b", "[number ×2]", …
   std::string default_value;  ///< As it would be written in YAML; "required" when there is none.
-  std::string range;     ///< "0 … 255", or empty.
+  std::string range;          ///< "0 … 255", or empty.
   std::string unit;
   std::string meaning;
 };

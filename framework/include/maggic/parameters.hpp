@@ -65,7 +65,8 @@ class Parameters {
   virtual void text(const Parameter& what, std::string& value) = 0;
   /// A colour of the palette by name; background is not accepted.
   virtual void color(const Parameter& what, Label& value) = 0;
-  /// A sequence of exactly `values.size()` numbers, such as a point `[x, y]` or a span `[min, max]`.
+  /// A sequence of exactly `values.size()` numbers, such as a point `[x, y]` or a span `[min,
+  /// max]`.
   virtual void numbers(const Parameter& what, std::span<double> values, Range<double> range) = 0;
 
   /// A value that may be absent: an absent key leaves the default, `none` empties it.

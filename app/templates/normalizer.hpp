@@ -27,7 +27,8 @@ class @CLASS@ final : public maggic::ColorNormalizer {
     p.number({"gain", "what every channel is multiplied by"}, gain_, {0.0, 10.0});
   }
 
-  void normalize(const maggic::ColorBatch& in, const maggic::MutableColorBatch& out) const override {
+  void normalize(const maggic::ColorBatch& in,
+                 const maggic::MutableColorBatch& out) const override {
     for (std::size_t i = 0; i < in.size(); ++i) {
       out.b[i] = brightened(in.b[i]);
       out.g[i] = brightened(in.g[i]);

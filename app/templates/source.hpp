@@ -24,9 +24,7 @@ class @CLASS@ final : public maggic::Source {
     p.number({"fps", "frames a second", "1/s"}, fps_, {1.0, 1000.0});
   }
 
-  maggic::SourceInfo open() override {
-    return {false, static_cast<std::uint64_t>(frames_), fps_};
-  }
+  maggic::SourceInfo open() override { return {false, static_cast<std::uint64_t>(frames_), fps_}; }
 
   maggic::ReadStatus read(maggic::Frame& frame) override {
     if (given_ == frames_) return maggic::ReadStatus::kEnd;

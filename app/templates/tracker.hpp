@@ -38,8 +38,7 @@ class @CLASS@ final : public maggic::Tracker {
     maggic::BallDetection& ball = out.ball.emplace();
     ball.centroid_px = largest->centroid_px;
     ball.area_px = largest->area_px;
-    ball.position_mm =
-        input.field.to_field_mm(largest->centroid_px, input.field.ball_height_mm());
+    ball.position_mm = input.field.to_field_mm(largest->centroid_px, input.field.ball_height_mm());
     ball.confidence = 1.0;
   }
 

@@ -10,7 +10,7 @@ namespace {
 using std::chrono::steady_clock;
 
 constexpr std::size_t kMostFrames = 20;
-constexpr int kMostRetries = 10;  // a device that is not there answers nothing else
+constexpr int kMostRetries = 4;  // a device that is not there answers nothing else
 /// The contract says about 200 ms; a loaded machine under a sanitizer is slower.
 constexpr std::chrono::seconds kLongestRead{5};
 

@@ -20,6 +20,10 @@ endif()
 add_library(maggic_warnings INTERFACE)
 target_compile_options(maggic_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   -Wno-sign-conversion -Wno-missing-field-initializers -Wnon-virtual-dtor -Woverloaded-virtual)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # g++ 12 sees these inside std::string where there is nothing (GCC bugs 105562 and 105651).
+  target_compile_options(maggic_warnings INTERFACE -Wno-restrict -Wno-maybe-uninitialized)
+endif()
 if(MAGGIC_WARNINGS_AS_ERRORS)
   target_compile_options(maggic_warnings INTERFACE -Werror)
 endif()

@@ -3,7 +3,8 @@
 ///
 /// A strict subset of YAML 1.2 read through yaml-cpp's event parser: duplicate keys, merge keys
 /// (`<<`), custom tags, non-scalar keys, several documents in a file, aliases that refer to
-/// themselves and files that grow without bound by aliases are errors, each with its place.
+/// themselves and files that grow without bound by aliases are errors, each with its place. So are
+/// bytes that are no UTF-8 and control characters.
 
 #include <cstddef>
 #include <filesystem>
@@ -65,15 +66,18 @@ Node parse_document(std::string_view text, std::string_view file_name,
 Node load_document(const std::filesystem::path& file, const DocumentLimits& limits = {});
 
 /// Lays `over` on `base`: maps are merged key by key, anything else replaces what was there, and
-/// `key: ~` removes a key. Places follow their nodes.
+/// `key: ~` removes a key. An `over` that is null as a whole (an empty file) changes nothing. Places
+/// follow their nodes.
 void merge_document(Node& base, const Node& over);
 
 /// Applies `path.to.key=value`, the value being YAML (so lists and maps work). A path element
-/// that is a number indexes a sequence. Missing maps on the way are made.
+/// that is a number indexes a sequence. Missing maps on the way are made; an empty value or `~`
+/// removes what stands there.
 /// @throws ConfigError (file `--set`) when the text has no `=`, or the path runs through a scalar.
 void set_in_document(Node& root, std::string_view assignment);
 
-/// The tree as YAML again, with stable formatting; parse_document of it gives the same tree.
+/// The tree as YAML again, with stable formatting; parse_document of it gives the same tree, but
+/// that text which cannot stand without quotes comes back as quoted.
 std::string to_yaml(const Node& root);
 
 }  // namespace maggic

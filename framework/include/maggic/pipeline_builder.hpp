@@ -1,10 +1,10 @@
 #pragma once
 /// From a pipeline file to a pipeline with its source and sinks.
 ///
-/// Sections of a pipeline file (all but `source` and `tracker` may be left out):
+/// Sections of a pipeline file (all but `source`, `segmenter` and `tracker` may be left out):
 ///
 ///     palette:    {teal: [0, 128, 128]}      # added to the standard colours
-///     plugins:    [folder, …]                # searched after the usual folders
+///     plugins:    [folder, …]                # beside this file; searched after the usual ones
 ///     source:     synthetic_match            # a plugin by name, or
 ///     normalizer: {weighted: {…}}            # … with its parameters
 ///     segmenter:  {hue_pivots: {…}}
@@ -15,7 +15,9 @@
 ///
 /// A calibration file has the same sections. Its numbers for a plugin apply when the pipeline runs
 /// that plugin; blocks for other plugins are checked, unused, and mentioned in a note, so one
-/// calibration file can serve an A/B test. It never changes which plugin runs.
+/// calibration file can serve an A/B test. It never changes which plugin runs. Its sinks' numbers
+/// apply to the pipeline's sinks of that plugin, its plugin folders are added to the pipeline's, and
+/// sections it leaves empty change nothing.
 
 #include <filesystem>
 #include <memory>

@@ -12,7 +12,8 @@ TEST(PictureName, IsJudgedByItsExtensionInAnyCase) {
 }
 
 TEST(PictureName, NothingElseIsAPicture) {
-  for (const char* name : {"", "png", ".png", "film.mp4", "notes.txt", "png/readme", "a.png.part"}) {
+  for (const char* name :
+       {"", "png", ".png", "film.mp4", "notes.txt", "png/readme", "a.png.part"}) {
     EXPECT_FALSE(has_picture_extension(name)) << name;
   }
 }

@@ -36,8 +36,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <opencv2/videoio.hpp>
 #include <unistd.h>
+#include <opencv2/videoio.hpp>
 
 #include "camera_settings.hpp"
 #include "capture_clock.hpp"
@@ -117,7 +117,8 @@ class Camera final : public maggic::Source {
  public:
   void describe(maggic::Parameters& p) override {
     p.text({"device", "number or path of the camera"}, device_);
-    p.check("device", !device_.empty(), "is empty, expected a number or a path such as /dev/video0");
+    p.check("device", !device_.empty(),
+            "is empty, expected a number or a path such as /dev/video0");
     p.choice({"backend", "how OpenCV reaches the camera"}, backend_,
              {{"v4l2", Backend::kV4l2}, {"any", Backend::kAny}});
     p.text({"fourcc", "pixel format, such as MJPG or YUYV; empty: as it is"}, settings_.fourcc);
@@ -137,8 +138,8 @@ class Camera final : public maggic::Source {
              {0.0, 1e6});
     describe_control(p, {"white_balance", "auto, keep (as it is), or a colour temperature", "K"},
                      white_balance_, settings_.white_balance);
-    p.integer({"buffers", "pictures the driver may hold, where it can be told"},
-              settings_.buffers, {1, 10});
+    p.integer({"buffers", "pictures the driver may hold, where it can be told"}, settings_.buffers,
+              {1, 10});
     p.boolean({"required_at_start", "whether it is an error when the camera is not there at first"},
               required_at_start_);
   }

@@ -27,8 +27,8 @@ struct CameraSettings {
   std::optional<int> width_px;
   std::optional<int> height_px;
   std::optional<double> fps;
-  std::string fourcc;     ///< Four characters, such as MJPG.
-  Control exposure;       ///< V4L2: in 100 µs.
+  std::string fourcc;  ///< Four characters, such as MJPG.
+  Control exposure;    ///< V4L2: in 100 µs.
   std::optional<double> gain;
   Control white_balance;  ///< Kelvin.
   int buffers = 2;

@@ -28,11 +28,16 @@ class FakeCamera final : public cv::VideoCapture {
     return found != known_.end() ? found->second : -1.0;
   }
 
-  std::map<int, double> known_ = {{cv::CAP_PROP_FRAME_WIDTH, 640},  {cv::CAP_PROP_FRAME_HEIGHT, 480},
-                                  {cv::CAP_PROP_FPS, 30},           {cv::CAP_PROP_FOURCC, 0x56595559},
-                                  {cv::CAP_PROP_AUTO_EXPOSURE, 3},  {cv::CAP_PROP_EXPOSURE, 156},
-                                  {cv::CAP_PROP_GAIN, 0},           {cv::CAP_PROP_AUTO_WB, 1},
-                                  {cv::CAP_PROP_WB_TEMPERATURE, 4000}, {cv::CAP_PROP_BUFFERSIZE, 4}};
+  std::map<int, double> known_ = {{cv::CAP_PROP_FRAME_WIDTH, 640},
+                                  {cv::CAP_PROP_FRAME_HEIGHT, 480},
+                                  {cv::CAP_PROP_FPS, 30},
+                                  {cv::CAP_PROP_FOURCC, 0x56595559},
+                                  {cv::CAP_PROP_AUTO_EXPOSURE, 3},
+                                  {cv::CAP_PROP_EXPOSURE, 156},
+                                  {cv::CAP_PROP_GAIN, 0},
+                                  {cv::CAP_PROP_AUTO_WB, 1},
+                                  {cv::CAP_PROP_WB_TEMPERATURE, 4000},
+                                  {cv::CAP_PROP_BUFFERSIZE, 4}};
   std::set<int> stubborn_;
   std::vector<int> asked_;
 };

@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <opencv2/videoio.hpp>
 #include <unistd.h>
+#include <opencv2/videoio.hpp>
 
 #include "maggic/config_error.hpp"
 #include "maggic/parameter_reader.hpp"
@@ -89,8 +89,7 @@ TEST_F(CameraSource, ComesBackAfterItWasLost) {
   Frame frame;
   const auto says_back = [&] {
     const auto messages = reporter_.messages();
-    return std::ranges::any_of(messages,
-                               [](const auto& m) { return m.find("is back") != m.npos; });
+    return std::ranges::any_of(messages, [](const auto& m) { return m.find("is back") != m.npos; });
   };
   const auto deadline = steady_clock::now() + std::chrono::seconds(5);
   while (!says_back() && steady_clock::now() < deadline) source->read(frame);
@@ -112,24 +111,23 @@ TEST_F(CameraSource, ThatIsNotThereIsWaitedForWithoutBlocking) {
 
 TEST_F(CameraSource, MayBeRequiredAtTheStart) {
   auto source = camera("{device: 4321, required_at_start: true}");
-  EXPECT_THAT([&] { source->open(); },
-              ThrowsMessage<std::runtime_error>(
-                  AllOf(HasSubstr("camera 4321"), HasSubstr("/dev/video4321"))));
+  EXPECT_THAT([&] { source->open(); }, ThrowsMessage<std::runtime_error>(AllOf(
+                                           HasSubstr("camera 4321"), HasSubstr("/dev/video4321"))));
 }
 
 TEST_F(CameraSource, NamesWhatTheDeviceDidNotTake) {
   auto source = camera(from_file(", width: 320, height: 240, gain: 7"));
   source->open();
-  EXPECT_THAT(reporter_.messages(),
-              IsSupersetOf({HasSubstr("asked for width 320, the device gives 64"),
-                            HasSubstr("asked for height 240, the device gives 48"),
-                            HasSubstr("gain 7")}));
+  EXPECT_THAT(
+      reporter_.messages(),
+      IsSupersetOf({HasSubstr("asked for width 320, the device gives 64"),
+                    HasSubstr("asked for height 240, the device gives 48"), HasSubstr("gain 7")}));
 }
 
 TEST_F(CameraSource, RefusesSettingsThatCannotBeMeant) {
-  for (const char* yaml : {"{exposure: short}", "{white_balance: -5}", "{fourcc: MJPEG}",
-                           "{width: 640}", "{height: 480}", "{device: ''}", "{buffers: 0}",
-                           "{fps: 0}"}) {
+  for (const char* yaml :
+       {"{exposure: short}", "{white_balance: -5}", "{fourcc: MJPEG}", "{width: 640}",
+        "{height: 480}", "{device: ''}", "{buffers: 0}", "{fps: 0}"}) {
     EXPECT_THROW(camera(yaml), maggic::ConfigError) << yaml;
   }
   EXPECT_NO_THROW(camera("{device: 0, exposure: auto, white_balance: 4500, fourcc: MJPG}"));

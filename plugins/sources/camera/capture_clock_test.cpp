@@ -20,9 +20,9 @@ TEST(CaptureClock, TakesTheDriversStampOfTheLastSecond) {
 }
 
 TEST(CaptureClock, TakesNothingThatCannotBeSuchAStamp) {
-  for (const double stamp_ms : {0.0, 40.0, -1.0, kNow_ms + 1.0, kNow_ms - 1500.0, 1.7e12,
-                                std::numeric_limits<double>::quiet_NaN(),
-                                std::numeric_limits<double>::infinity()}) {
+  for (const double stamp_ms :
+       {0.0, 40.0, -1.0, kNow_ms + 1.0, kNow_ms - 1500.0, 1.7e12,
+        std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(age_by_driver(stamp_ms, kNow), nanoseconds(0)) << stamp_ms;
   }
 }

@@ -144,8 +144,8 @@ TEST_F(AReconnectingDevice, SaysWhenTheReasonChanges) {
     return attempt < 6 ? Answer("no permission") : Answer();
   };
   start().read(frame_, kLong);
-  EXPECT_THAT(reporter_.messages(),
-              ElementsAre(HasSubstr("no device"), HasSubstr("no permission"), HasSubstr("is back")));
+  EXPECT_THAT(reporter_.messages(), ElementsAre(HasSubstr("no device"), HasSubstr("no permission"),
+                                                HasSubstr("is back")));
 }
 
 TEST_F(AReconnectingDevice, TakesExceptionsForFailures) {

@@ -48,10 +48,10 @@ class Images final : public maggic::Source {
     list_ = maggic::images::list_pictures(path_);
     reader_.emplace(exif_rotation_);
     if (!list_.passed_over.empty()) {
-      reporter_->warn(fmt::format("passed over {} files of '{}' that are not named like pictures, "
-                                  "such as {}",
-                                  list_.passed_over.size(), path_,
-                                  list_.passed_over.front().filename().string()));
+      reporter_->warn(fmt::format(
+          "passed over {} files of '{}' that are not named like pictures, "
+          "such as {}",
+          list_.passed_over.size(), path_, list_.passed_over.front().filename().string()));
     }
     find_first();
     maggic::SourceInfo info;

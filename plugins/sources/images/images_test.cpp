@@ -5,8 +5,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <opencv2/imgcodecs.hpp>
 #include <unistd.h>
+#include <opencv2/imgcodecs.hpp>
 
 #include "maggic/parameter_reader.hpp"
 #include "maggic/testing.hpp"
@@ -47,7 +47,8 @@ class ImagesSource : public ::testing::Test {
     fs::resize_file(path(name), static_cast<std::uintmax_t>(size * part));
   }
 
-  maggic::StagePtr<maggic::Source> source_of(const std::string& file, const std::string& more = "") {
+  maggic::StagePtr<maggic::Source> source_of(const std::string& file,
+                                             const std::string& more = "") {
     auto source = maggic::testing::registry().create<maggic::Source>("images");
     maggic::configure_stage(*source, "{path: '" + file + "'" + more + "}",
                             maggic::testing::standard_palette(), reporter_);
@@ -74,8 +75,8 @@ class ImagesSource : public ::testing::Test {
       const ReadStatus status = source.read(frame);
       if (status == ReadStatus::kEnd) break;
       if (status == ReadStatus::kFrame) {
-        seen.push_back({frame.bgr.ptr(0)[0],
-                        std::chrono::duration_cast<milliseconds>(frame.captured)});
+        seen.push_back(
+            {frame.bgr.ptr(0)[0], std::chrono::duration_cast<milliseconds>(frame.captured)});
       }
     }
     return seen;
@@ -107,9 +108,8 @@ TEST_F(ImagesSource, GivesAFoldersPicturesInNaturalOrderAtTheRateAsked) {
   EXPECT_FALSE(info.live);
   EXPECT_EQ(info.frame_count, 3u);
   EXPECT_EQ(info.frames_per_second, 100.0);
-  EXPECT_THAT(frames_of(*source),
-              ElementsAre(Seen{1, milliseconds(0)}, Seen{2, milliseconds(10)},
-                          Seen{10, milliseconds(20)}));
+  EXPECT_THAT(frames_of(*source), ElementsAre(Seen{1, milliseconds(0)}, Seen{2, milliseconds(10)},
+                                              Seen{10, milliseconds(20)}));
   EXPECT_THAT(reporter_.messages(), IsEmpty());
 }
 
@@ -140,10 +140,9 @@ TEST_F(ImagesSource, LoopsForEverWhileTimeRunsOn) {
   write_picture("b.png", 2);
   auto source = source_of(folder_, ", loop: true, fps: 1000");
   EXPECT_EQ(source->open().frame_count, std::nullopt);
-  EXPECT_THAT(frames_of(*source, 5),
-              ElementsAre(Seen{1, milliseconds(0)}, Seen{2, milliseconds(1)},
-                          Seen{1, milliseconds(2)}, Seen{2, milliseconds(3)},
-                          Seen{1, milliseconds(4)}));
+  EXPECT_THAT(frames_of(*source, 5), ElementsAre(Seen{1, milliseconds(0)}, Seen{2, milliseconds(1)},
+                                                 Seen{1, milliseconds(2)}, Seen{2, milliseconds(3)},
+                                                 Seen{1, milliseconds(4)}));
 }
 
 TEST_F(ImagesSource, PassesGrayAlpha16BitAndOddSizesOnToTheHost) {
@@ -178,9 +177,8 @@ TEST_F(ImagesSource, PassesOverBadFilesAmongGoodOnesWithAWarningEach) {
   write_picture("8.png", 8);
   write_text("9_text.png", "after a good one");
   auto source = opened(folder_, ", fps: 1000");
-  EXPECT_THAT(frames_of(*source),
-              ElementsAre(Seen{1, milliseconds(1)}, Seen{5, milliseconds(5)},
-                          Seen{8, milliseconds(8)}))
+  EXPECT_THAT(frames_of(*source), ElementsAre(Seen{1, milliseconds(1)}, Seen{5, milliseconds(5)},
+                                              Seen{8, milliseconds(8)}))
       << "what is passed over keeps its moment";
   EXPECT_THAT(reporter_.messages(), SizeIs(7));
   EXPECT_THAT(reporter_.messages(),
@@ -250,8 +248,14 @@ TEST_F(ImagesSource, EndsWithAnErrorWhenEveryPictureVanishesWhileLooping) {
 void write_turned_jpeg(const std::string& file) {
   std::vector<uchar> jpeg;
   ASSERT_TRUE(cv::imencode(".jpg", cv::Mat(4, 8, CV_8UC3, cv::Scalar(9, 9, 9)), jpeg));
-  const std::string exif("\xFF\xE1\x00\x22" "Exif\0\0" "MM\0*\0\0\0\x08" "\0\x01"
-                         "\x01\x12\0\x03\0\0\0\x01\0\x06\0\0" "\0\0\0\0", 36);
+  const std::string exif(
+      "\xFF\xE1\x00\x22"
+      "Exif\0\0"
+      "MM\0*\0\0\0\x08"
+      "\0\x01"
+      "\x01\x12\0\x03\0\0\0\x01\0\x06\0\0"
+      "\0\0\0\0",
+      36);
   std::ofstream stream(file, std::ios::binary);
   stream.write(reinterpret_cast<const char*>(jpeg.data()), 2);
   stream << exif;

@@ -9,9 +9,9 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Takes the number `text` begins with off it, without its leading zeros.
 std::string_view take_number(std::string_view& text) {
-  const std::size_t length = std::min(
-      static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin()),
-      text.size());
+  const std::size_t length =
+      std::min(static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin()),
+               text.size());
   std::string_view number = text.substr(0, length);
   text.remove_prefix(length);
   number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));

@@ -136,8 +136,8 @@ class Video final : public maggic::Source {
   /// Opens the file at its beginning; seeking there fails for containers without an index.
   bool read_first(cv::Mat& picture) {
     // Other backends take text files for lists of pictures and start a media framework to find out.
-    const int backend = cv::videoio_registry::hasBackend(cv::CAP_FFMPEG) ? cv::CAP_FFMPEG
-                                                                         : cv::CAP_ANY;
+    const int backend =
+        cv::videoio_registry::hasBackend(cv::CAP_FFMPEG) ? cv::CAP_FFMPEG : cv::CAP_ANY;
     // Absolute, because FFmpeg takes what stands before a colon for a protocol.
     return file_.open(fs::absolute(file_path()).string(), backend) && file_.read(picture);
   }
@@ -163,9 +163,10 @@ class Video final : public maggic::Source {
   void note_guessed_times() {
     if (told_of_guesses_ || !clock_->guessed()) return;
     told_of_guesses_ = true;
-    reporter_->warn(fmt::format("'{}' has no usable time for frame {}; such frames are taken to be "
-                                "one frame period after the one before",
-                                path_, frames_read_ - 1));
+    reporter_->warn(
+        fmt::format("'{}' has no usable time for frame {}; such frames are taken to be "
+                    "one frame period after the one before",
+                    path_, frames_read_ - 1));
   }
 
   std::string path_;

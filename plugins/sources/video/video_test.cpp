@@ -7,8 +7,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <opencv2/videoio.hpp>
 #include <unistd.h>
+#include <opencv2/videoio.hpp>
 
 #include "file_server_for_tests.hpp"
 #include "maggic/config_error.hpp"
@@ -106,9 +106,9 @@ TEST_F(VideoSource, KeepsTheSourceContract) {
   const std::string file = write_video("a.avi", 5);
   EXPECT_THAT(testing::check_conformance(StageKind::kSource, "video", "{path: '" + file + "'}"),
               IsEmpty());
-  EXPECT_THAT(testing::check_conformance(StageKind::kSource, "video",
-                                         "{path: '" + file + "', loop: true}"),
-              IsEmpty());
+  EXPECT_THAT(
+      testing::check_conformance(StageKind::kSource, "video", "{path: '" + file + "', loop: true}"),
+      IsEmpty());
 }
 
 TEST_F(VideoSource, GivesEveryFrameInOrderWithItsTime) {
@@ -179,7 +179,8 @@ TEST_F(VideoSource, RefusesWhatIsNoVideoAndSaysWhy) {
   EXPECT_THAT(error_of(path("nowhere.mp4")), HasSubstr("there is no such file"));
   EXPECT_THAT(error_of(folder_), AllOf(HasSubstr("it is a folder"), HasSubstr("images")));
   EXPECT_THAT(error_of(write_text("empty.mp4", "")), HasSubstr("it is empty"));
-  EXPECT_THAT(error_of(write_text("text.mp4", "dear diary\n")), HasSubstr("no frame could be read"));
+  EXPECT_THAT(error_of(write_text("text.mp4", "dear diary\n")),
+              HasSubstr("no frame could be read"));
   EXPECT_THAT(error_of(write_text("binary.avi", std::string(5000, '\x9c'))),
               HasSubstr("no frame could be read"));
   EXPECT_THAT(error_of("/dev/null"), HasSubstr("no frame could be read"));
@@ -231,8 +232,8 @@ TEST_F(VideoSource, TakesAStreamAsLiveAndOpensItAgainWhenItEnds) {
   const auto deadline = steady_clock::now() + std::chrono::seconds(5);
   while (server.served() < 2 && steady_clock::now() < deadline) source->read(frame);
   EXPECT_TRUE(gives_a_frame(*source, frame));
-  EXPECT_THAT(reporter_.messages(), Contains(AllOf(HasSubstr("stream tcp://127.0.0.1"),
-                                                   HasSubstr("gives no picture"))));
+  EXPECT_THAT(reporter_.messages(),
+              Contains(AllOf(HasSubstr("stream tcp://127.0.0.1"), HasSubstr("gives no picture"))));
 }
 
 TEST_F(VideoSource, WaitsForAStreamThatIsNotThereYet) {

@@ -12,7 +12,9 @@ option(MAGGIC_FUZZ "Build the libFuzzer targets (clang only)" OFF)
 
 find_program(MAGGIC_CCACHE ccache)
 if(MAGGIC_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${MAGGIC_CCACHE})
+  # ccache takes precompiled headers only when it need not look at their defines and times.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_SLOPPINESS=pch_defines,time_macros ${MAGGIC_CCACHE})
 endif()
 
 # Warnings are for our own targets alone, hence a target to link rather than global flags. Members left
@@ -32,3 +34,9 @@ if(MAGGIC_SANITIZE)
   add_compile_options(-fsanitize=${MAGGIC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${MAGGIC_SANITIZE})
 endif()
+
+# What most test programs include, compiled once, and tests themselves hardly optimised: both only to
+# shorten the build. What is tested is compiled as ever.
+add_library(maggic_test_options INTERFACE)
+target_compile_options(maggic_test_options INTERFACE -O1
+  $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)

@@ -32,7 +32,7 @@ function(maggic_add_plugin)
     target_link_libraries(${name}_test PRIVATE maggic::testing GTest::gmock_main
       ${PLUGIN_TEST_LIBRARIES})
     if(TARGET maggic_warnings)
-      target_link_libraries(${name}_test PRIVATE maggic_warnings)
+      target_link_libraries(${name}_test PRIVATE maggic_warnings maggic_test_options)
     endif()
     add_dependencies(${name}_test ${name})
     add_test(NAME ${name}_test COMMAND ${name}_test)

@@ -1,5 +1,5 @@
 # Every dependency is a Debian 12 package (names in cmake/debian-packages.txt); nothing is vendored.
-find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc calib3d imgcodecs videoio)  # pictures, geometry, codecs
+find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc imgcodecs videoio)  # pictures, geometry, codecs
 find_package(yaml-cpp 0.7 REQUIRED)        # YAML events with places; we build the tree ourselves
 find_package(Boost 1.74 REQUIRED)          # headers only: DLL, static_vector, intrusive_ptr
 find_package(fmt 9 REQUIRED)               # text formatting that is checked at compile time

@@ -12,12 +12,18 @@
 
 namespace maggic {
 
+struct AnnotatedTag {
+  std::string color;
+  cv::Point2d centroid_px;
+};
+
 struct AnnotatedRobot {
   std::string team;
   std::vector<std::string> player_colors;
   cv::Point2d centroid_px;
   /// From the mean of the player tags to the team tag, counter-clockwise, y up in the picture.
   double players_to_team_deg = 0.0;
+  std::vector<AnnotatedTag> tags;
 };
 
 /// What stands in the picture; nothing moves within a clip.
@@ -41,7 +47,11 @@ inline Annotation load_annotation(const std::filesystem::path& file) {
     annotation.robots.push_back({robot.at("team"),
                                  robot.at("player_colors").get<std::vector<std::string>>(),
                                  {robot.at("x"), robot.at("y")},
-                                 robot.at("heading_deg")});
+                                 robot.at("heading_deg"),
+                                 {}});
+    for (const nlohmann::json& tag : robot.at("tags")) {
+      annotation.robots.back().tags.push_back({tag.at("color"), {tag.at("x"), tag.at("y")}});
+    }
   }
   return annotation;
 }

@@ -117,7 +117,6 @@ INSTANTIATE_TEST_SUITE_P(
                       FootageCase{"tags_3v3_1", "maggic_3v3_three_tag", "video", 1.0, true},
                       FootageCase{"all_tags", "maggic_3v3_three_tag", "video", 1.0, true},
                       FootageCase{"rinobot_1", "maggic_3v3", "images", 1.0, true},
-                      FootageCase{"rinobot_21203", "maggic_3v3", "images", 1.0, true},
                       // The picture is stretched, so its annotated headings are not true angles.
                       FootageCase{"vsssdk_model_3908ae", "diagonal_tags", "images", 1.0, false}),
     [](const auto& test) { return test.param.clip + "_" + test.param.pipeline; });

@@ -24,8 +24,8 @@
 /// hold.
 /// A colour without a hue (all channels equal) is background at any threshold.
 ///
-/// Source: MaggicVision, pivot segmentation. `hue_of: original` is the default because the
-/// authors' program does so.
+/// Source: MaggicVision, pivot segmentation. `hue_of: original` is the default because `weighted`
+/// draws neighbouring hues together: measured in docs/adr/0003-hue-of-the-original-colour.md.
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@
 ///           orange: {y: [60, 200], u: [40, 110], v: [170, 240]}
 ///           blue: {y: [20, 120], u: [150, 255], v: [60, 130]}
 ///
-/// Source: DESIGN facts on the legacy YUV boxes, taken from the 3v3 teams' programs.
+/// Source: the legacy vision programs of the 3v3 teams; full-range BT.601 in integers.
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tracking/assignment.hpp"
+#include "assignment/assignment.hpp"
 
 namespace maggic {
 namespace {
@@ -41,7 +41,7 @@ std::vector<Pair> matched(const Detections& found, const Detections& truth, doub
       if (pairs[i].first == pairs[k].first) conflicts.emplace_back(k, i);
     }
   }
-  tracking::AssignmentSolver solver(1'000'000);
+  AssignmentSolver solver(1'000'000);
   std::vector<int> chosen;
   solver.solve(scores, groups, conflicts, chosen);
   std::vector<Pair> result;

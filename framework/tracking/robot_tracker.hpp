@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "assignment/assignment.hpp"
 #include "maggic/tracker.hpp"
 #include "maggic/tracking_engine.hpp"
-#include "tracking/assignment.hpp"
 #include "tracking/candidate_generator.hpp"
 #include "tracking/claim_builder.hpp"
 #include "tracking/robot_track.hpp"

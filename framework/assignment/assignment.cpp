@@ -1,9 +1,9 @@
-#include "tracking/assignment.hpp"
+#include "assignment/assignment.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace maggic::tracking {
+namespace maggic {
 
 void AssignmentSolver::solve(std::span<const double> scores, std::span<const int> groups,
                              std::span<const std::pair<int, int>> conflicts,
@@ -155,4 +155,4 @@ void AssignmentSolver::block(int item, int step) {
   }
 }
 
-}  // namespace maggic::tracking
+}  // namespace maggic

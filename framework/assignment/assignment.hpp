@@ -1,17 +1,18 @@
 #pragma once
-/// Picks the claims that together are worth most.
+/// Picks, of items some of which exclude each other, those that together are worth most.
 
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-namespace maggic::tracking {
+namespace maggic {
 
-/// Maximum-weight independent set. The conflict graph falls apart into connected components (robots
-/// that touch neither each other nor each other's blobs); each is solved exactly by branch and
-/// bound. When the budget of steps is used up, every component left keeps the best choice found so
-/// far, which is never worse than greedy, and is counted. Keeps its memory from call to call.
+/// Maximum-weight independent set. The conflict graph falls apart into connected components (for a
+/// tracker: robots that touch neither each other nor each other's blobs); each is solved exactly by
+/// branch and bound. When the budget of steps is used up, every component left keeps the best choice
+/// found so far, which is never worse than greedy, and is counted. Keeps its memory from call to
+/// call.
 class AssignmentSolver {
  public:
   /// @param step_budget items looked at in one call of `solve`; bounds its time.
@@ -62,4 +63,4 @@ class AssignmentSolver {
   int steps_ = 0;
 };
 
-}  // namespace maggic::tracking
+}  // namespace maggic

@@ -47,7 +47,8 @@ void Console::line(std::string_view text, Tone tone, std::string_view prefix) {
   const std::string_view end = start.empty() ? "" : "\x1b[0m";
   const std::lock_guard lock(mutex_);
   erase_live();
-  // One write a line, live line included: nothing another thread prints can tear it.
+  // The line and the live line below it go out in one piece: what others write to the same
+  // terminal comes before or after, not between.
   const std::string out = fmt::format("{}{}{}{}\n{}", start, prefix, end, text, live_);
   std::fwrite(out.data(), 1, out.size(), stream_);
   std::fflush(stream_);

@@ -16,7 +16,7 @@
 
 namespace maggic {
 
-/// Where a node stood. `file` is shared text owned by value: nodes of several files live in one
+/// Where a node stood. `file` is text owned by value, because nodes of several files live in one
 /// tree after a merge.
 struct Place {
   std::string file;

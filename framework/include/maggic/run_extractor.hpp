@@ -10,8 +10,8 @@
 
 namespace maggic {
 
-/// Appends nothing to an old list: `runs` is cleared, then holds every maximal run of equal
-/// non-background label, rows ascending, then columns ascending.
+/// Fills `runs`, whatever it held before, with every maximal run of equal non-background label, by
+/// rows and then by columns, both ascending.
 /// @param bgr CV_8UC3, at most 65535 a side, rows may be padded.
 void extract_runs(const cv::Mat& bgr, const ColorTable& table, std::vector<Run>& runs);
 

@@ -19,7 +19,7 @@ struct ErrorSum {
 };
 
 /// Accumulates frames. Objects match when within `max_distance_mm`, nearest pairs over the whole
-/// frame (optimal assignment by total distance). Only `seen` and `predicted` objects alike count as reported.
+/// frame (optimal assignment by total distance). Predicted objects count like seen ones.
 class TruthScore {
  public:
   explicit TruthScore(double max_distance_mm = 50.0) : max_distance_mm_(max_distance_mm) {}

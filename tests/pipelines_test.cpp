@@ -1,14 +1,18 @@
 /// Every pipeline and calibration that is shipped: valid, and explained line by line.
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "maggic/pipeline_builder.hpp"
+#include "maggic/runner.hpp"
 #include "maggic/testing.hpp"
 
 namespace maggic {
@@ -73,26 +77,54 @@ INSTANTIATE_TEST_SUITE_P(Calibrations, ShippedCalibration,
                          ::testing::ValuesIn(yaml_files(kPipelines / "calibrations")),
                          [](const auto& test) { return test.param; });
 
-TEST(SwappingAStage, ChangesTheMethodWithoutARebuild) {
+/// maggic_3v3.yaml with one section replaced, as a file of its own.
+std::filesystem::path with_section(const std::string& section, const Node& value) {
+  Node document = load_document(kPipelines / "maggic_3v3.yaml");
+  *document.find(section) = value;
+  const std::filesystem::path file =
+      std::filesystem::path(::testing::TempDir()) /
+      fmt::format("maggic_{}_{}.yaml", section, static_cast<long>(getpid()));
+  std::ofstream(file) << to_yaml(document);
+  return file;
+}
+
+struct FewFrames {
+  std::string segmenter;
+  std::string tracker;
+  std::vector<Label> labels;
+  std::uint64_t robots_with_id = 0;
+};
+
+FewFrames run_few_frames(const std::filesystem::path& file) {
   testing::RecordingReporter reporter;
   PipelineRequest request;
-  request.pipeline = kPipelines / "maggic_3v3.yaml";
-  const Node original = load_document(request.pipeline);
+  request.pipeline = file;
+  BuiltPipeline built = build_pipeline(request, testing::registry(), reporter);
+  FewFrames result{built.pipeline->parts().segmenter.name, built.pipeline->parts().tracker.name,
+                   built.pipeline->color_table()->labels(), 0};
+  const std::atomic<bool> stop{false};
+  run(built, {.max_frames = 20}, stop, reporter, [&](const FrameResult& frame, const RunSummary&) {
+    for (const RobotDetection& robot : frame.detections.robots) {
+      result.robots_with_id += robot.id != kUnknownId;
+    }
+  });
+  return result;
+}
 
-  Node other_segmenter = original;
-  *other_segmenter.find("segmenter") =
-      parse_document("yuv_boxes: {boxes: {red: {y: [0, 255], u: [0, 255], v: [200, 255]}}}", "test");
-  Node other_tracker = original;
-  *other_tracker.find("tracker") = parse_document("three_tag", "test");
+TEST(SwappingAStage, ChangesTheMethodByEditingTheFileAlone) {
+  const Node boxes = *load_document(kPipelines / "legacy_3v3.yaml").find("segmenter");
+  const FewFrames original = run_few_frames(kPipelines / "maggic_3v3.yaml");
+  const FewFrames other_segmenter = run_few_frames(with_section("segmenter", boxes));
+  const FewFrames other_tracker =
+      run_few_frames(with_section("tracker", parse_document("three_tag", "test")));
 
-  const BuiltPipeline a = build_pipeline(original, testing::registry(), reporter);
-  const BuiltPipeline b = build_pipeline(other_segmenter, testing::registry(), reporter);
-  const BuiltPipeline c = build_pipeline(other_tracker, testing::registry(), reporter);
-  EXPECT_EQ(a.pipeline->parts().segmenter.name, "hue_pivots");
-  EXPECT_EQ(b.pipeline->parts().segmenter.name, "yuv_boxes");
-  EXPECT_NE(a.pipeline->color_table()->labels(), b.pipeline->color_table()->labels());
-  EXPECT_EQ(c.pipeline->parts().tracker.name, "three_tag");
-  EXPECT_EQ(a.pipeline->color_table()->labels(), c.pipeline->color_table()->labels());
+  EXPECT_EQ(original.segmenter, "hue_pivots");
+  EXPECT_EQ(original.robots_with_id, 20u * 6u);
+  EXPECT_EQ(other_segmenter.segmenter, "yuv_boxes");
+  EXPECT_NE(other_segmenter.labels, original.labels);
+  EXPECT_EQ(other_tracker.tracker, "three_tag");
+  EXPECT_EQ(other_tracker.labels, original.labels);
+  EXPECT_EQ(other_tracker.robots_with_id, 0u) << "no robot of this match wears three tags";
 }
 
 }  // namespace

@@ -40,10 +40,10 @@
 #include <opencv2/videoio.hpp>
 
 #include "camera_settings.hpp"
-#include "capture_clock.hpp"
+#include "live/capture_clock.hpp"
+#include "live/quiet_video_libraries.hpp"
+#include "live/reconnecting_device.hpp"
 #include "maggic/plugin.hpp"
-#include "quiet_video_libraries.hpp"
-#include "reconnecting_device.hpp"
 
 namespace {
 

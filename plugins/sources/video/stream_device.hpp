@@ -8,8 +8,8 @@
 
 #include <opencv2/videoio.hpp>
 
-#include "../camera/capture_clock.hpp"
-#include "../camera/reconnecting_device.hpp"
+#include "live/capture_clock.hpp"
+#include "live/reconnecting_device.hpp"
 
 namespace maggic::video {
 

@@ -32,8 +32,8 @@
 #include <opencv2/videoio.hpp>
 #include <opencv2/videoio/registry.hpp>
 
-#include "../camera/quiet_video_libraries.hpp"
-#include "../camera/reconnecting_device.hpp"
+#include "live/quiet_video_libraries.hpp"
+#include "live/reconnecting_device.hpp"
 #include "maggic/plugin.hpp"
 #include "stream_device.hpp"
 #include "video_clock.hpp"

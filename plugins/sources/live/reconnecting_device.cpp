@@ -1,4 +1,4 @@
-#include "reconnecting_device.hpp"
+#include "live/reconnecting_device.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "capture_clock.hpp"
+#include "live/capture_clock.hpp"
 
 #include <limits>
 #include <thread>

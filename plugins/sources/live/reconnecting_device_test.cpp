@@ -1,4 +1,4 @@
-#include "reconnecting_device.hpp"
+#include "live/reconnecting_device.hpp"
 
 #include <atomic>
 #include <functional>

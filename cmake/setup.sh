@@ -58,12 +58,14 @@ install_missing_packages() {
   rm -f "$log"
 }
 
-# build PRESET [TARGET…]: configures where that was not done yet, and builds. Quiet unless it fails.
+# build PRESET [TARGET…]: configures where that was not done since the presets changed, and builds.
+# Quiet unless it fails.
 build() {
   local preset=$1
   shift
   local folder=$root/build/$preset
-  if [[ ! -f $folder/build.ninja ]]; then
+  # Ninja itself sees changes of CMake's files, but knows nothing of presets.
+  if [[ ! -f $folder/build.ninja || $root/CMakePresets.json -nt $folder/build.ninja ]]; then
     say "Configuring $preset"
     mkdir -p "$folder"
     if ! (cd "$root" && cmake --preset "$preset") >"$folder/configure.log" 2>&1; then

@@ -28,6 +28,13 @@ using ::testing::ThrowsMessage;
 
 const fs::path kTestPlugins = MAGGIC_TEST_PLUGIN_DIR;
 
+template <class T>
+concept CanBeAskedFor = requires(PluginRegistry& registry) {
+  registry.create<T>("name");
+};
+static_assert(CanBeAskedFor<Source> && CanBeAskedFor<Sink>);
+static_assert(!CanBeAskedFor<Stage> && !CanBeAskedFor<ColorNormalizer> && !CanBeAskedFor<int>);
+
 /// Two empty folders to put plugins into.
 class PluginFolders : public ::testing::Test {
  protected:

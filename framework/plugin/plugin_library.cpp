@@ -15,15 +15,16 @@
 namespace maggic {
 namespace {
 
+constexpr std::string_view kAlias = MAGGIC_STRINGIZE(MAGGIC_PLUGIN_ALIAS);
+/// What the aliases of every ABI begin with.
 constexpr std::string_view kAliasStem = "maggic_plugin_v";
+static_assert(kAlias.starts_with(kAliasStem));
 
 [[noreturn]] void refuse(std::string reason) { throw std::runtime_error(std::move(reason)); }
 
-std::string expected_alias() { return fmt::format("{}{}", kAliasStem, kPluginAbi); }
-
 void check_alias(const std::filesystem::path& file) {
   const std::vector<std::string> symbols = ElfFile(file).exported_symbols();
-  if (std::ranges::find(symbols, expected_alias()) != symbols.end()) return;
+  if (std::ranges::find(symbols, kAlias) != symbols.end()) return;
   const auto other = std::ranges::find_if(
       symbols, [](const std::string& name) { return name.starts_with(kAliasStem); });
   if (other == symbols.end()) {
@@ -57,7 +58,7 @@ boost::dll::shared_library open_library(const std::filesystem::path& file) {
 PluginLibrary::PluginLibrary(const std::filesystem::path& file) {
   check_alias(file);
   library_ = open_library(file);
-  descriptor_ = library_.get<const PluginDescriptor*>(expected_alias());
+  descriptor_ = library_.get<const PluginDescriptor*>(std::string(kAlias));
   info_.file = file;
   info_.name = file.stem().string();
   check_descriptor();

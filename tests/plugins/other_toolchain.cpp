@@ -14,4 +14,4 @@ const maggic::PluginDescriptor descriptor{sizeof(maggic::PluginDescriptor),
 
 }  // namespace
 
-BOOST_DLL_ALIAS(descriptor, maggic_plugin_v1)
+BOOST_DLL_ALIAS(descriptor, MAGGIC_PLUGIN_ALIAS)

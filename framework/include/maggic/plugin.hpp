@@ -9,19 +9,27 @@
 
 #include <cstdint>
 #include <exception>
-#include <type_traits>
 #include <vector>  // Boost 1.74's library_info.hpp forgets it under BOOST_DLL_USE_STD_FS
 
 #include <boost/dll/alias.hpp>
+#include <opencv2/core/version.hpp>
 
-#include "maggic/normalizer.hpp"
-#include "maggic/segmenter.hpp"
-#include "maggic/sink.hpp"
-#include "maggic/source.hpp"
-#include "maggic/tracker.hpp"
+#include "maggic/stage_kind_of.hpp"
 
-/// Compiler, its ABI and the standard library: what must agree for C++ objects to cross the
-/// library's border.
+/// Raised whenever a class in this SDK changes its layout or its virtual functions. It is part of
+/// the exported symbol's name, so a plugin of another ABI is refused before a line of it runs.
+#define MAGGIC_PLUGIN_ABI 1
+
+#define MAGGIC_STRINGIZE_(x) #x
+#define MAGGIC_STRINGIZE(x) MAGGIC_STRINGIZE_(x)
+#define MAGGIC_JOIN_(a, b) a##b
+#define MAGGIC_JOIN(a, b) MAGGIC_JOIN_(a, b)
+
+/// The name under which a plugin exports its descriptor.
+#define MAGGIC_PLUGIN_ALIAS MAGGIC_JOIN(maggic_plugin_v, MAGGIC_PLUGIN_ABI)
+
+/// Compiler, its ABI, the standard library with the switches that change its classes, and OpenCV,
+/// whose cv::Mat stages exchange: what must agree for C++ objects to cross the library's border.
 #if defined(__GLIBCXX__)
 #define MAGGIC_STANDARD_LIBRARY "libstdc++"
 #elif defined(_LIBCPP_VERSION)
@@ -29,17 +37,25 @@
 #else
 #define MAGGIC_STANDARD_LIBRARY "unknown"
 #endif
-#define MAGGIC_STRINGIZE_(x) #x
-#define MAGGIC_STRINGIZE(x) MAGGIC_STRINGIZE_(x)
-#define MAGGIC_TOOLCHAIN                                                     \
-  MAGGIC_STANDARD_LIBRARY " cxxabi " MAGGIC_STRINGIZE(__GXX_ABI_VERSION) " c++" \
-      MAGGIC_STRINGIZE(__cplusplus)
+#ifdef _GLIBCXX_USE_CXX11_ABI
+#define MAGGIC_STRING_ABI " cxx11 " MAGGIC_STRINGIZE(_GLIBCXX_USE_CXX11_ABI)
+#else
+#define MAGGIC_STRING_ABI ""
+#endif
+#ifdef _GLIBCXX_DEBUG
+#define MAGGIC_CHECKED_CONTAINERS " debug"
+#else
+#define MAGGIC_CHECKED_CONTAINERS ""
+#endif
+#define MAGGIC_TOOLCHAIN                                                              \
+  MAGGIC_STANDARD_LIBRARY MAGGIC_STRING_ABI MAGGIC_CHECKED_CONTAINERS                 \
+  " cxxabi " MAGGIC_STRINGIZE(__GXX_ABI_VERSION)                                      \
+  " c++" MAGGIC_STRINGIZE(__cplusplus)                                                \
+  " opencv " MAGGIC_STRINGIZE(CV_VERSION_MAJOR) "." MAGGIC_STRINGIZE(CV_VERSION_MINOR)
 
 namespace maggic {
 
-/// Raised whenever a class in this SDK changes its layout or its virtual functions. It is part of
-/// the exported symbol's name, so a plugin of another ABI is refused before a line of it runs.
-inline constexpr int kPluginAbi = 1;
+inline constexpr int kPluginAbi = MAGGIC_PLUGIN_ABI;
 
 /// Receives what a guarded call threw; `message` is valid for the call only.
 using PluginErrorSink = void (*)(void* context, const char* message);
@@ -59,18 +75,6 @@ struct PluginDescriptor {
 };
 
 namespace detail {
-
-template <class T>
-constexpr StageKind kind_of() {
-  if constexpr (std::is_base_of_v<Source, T>) return StageKind::kSource;
-  else if constexpr (std::is_base_of_v<Normalizer, T>) return StageKind::kNormalizer;
-  else if constexpr (std::is_base_of_v<Segmenter, T>) return StageKind::kSegmenter;
-  else if constexpr (std::is_base_of_v<Tracker, T>) return StageKind::kTracker;
-  else {
-    static_assert(std::is_base_of_v<Sink, T>, "a plugin derives from one of the stage kinds");
-    return StageKind::kSink;
-  }
-}
 
 template <class T>
 Stage* create_guarded(PluginErrorSink on_error, void* context) {
@@ -97,10 +101,10 @@ Stage* create_guarded(PluginErrorSink on_error, void* context) {
   const ::maggic::PluginDescriptor maggic_plugin_descriptor{                     \
       sizeof(::maggic::PluginDescriptor),                                        \
       MAGGIC_TOOLCHAIN,                                                          \
-      ::maggic::detail::kind_of<Class>(),                                        \
+      ::maggic::stage_kind_of<Class>(),                                        \
       MAGGIC_PLUGIN_NAME,                                                        \
       summary_text,                                                              \
       &::maggic::detail::create_guarded<Class>,                                  \
       [](::maggic::Stage* stage) noexcept { delete stage; }};                    \
   }                                                                              \
-  BOOST_DLL_ALIAS(maggic_plugin_descriptor, maggic_plugin_v1)
+  BOOST_DLL_ALIAS(maggic_plugin_descriptor, MAGGIC_PLUGIN_ALIAS)

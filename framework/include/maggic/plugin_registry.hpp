@@ -10,12 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "maggic/normalizer.hpp"
-#include "maggic/segmenter.hpp"
-#include "maggic/sink.hpp"
-#include "maggic/source.hpp"
 #include "maggic/stage.hpp"
-#include "maggic/tracker.hpp"
+#include "maggic/stage_kind_of.hpp"
 
 namespace maggic {
 
@@ -36,18 +32,6 @@ struct StageDeleter {
 
 template <class T>
 using StagePtr = std::unique_ptr<T, StageDeleter>;
-
-/// The kind a C++ type stands for.
-template <class T>
-inline constexpr StageKind kStageKindOf = StageKind::kSource;
-template <>
-inline constexpr StageKind kStageKindOf<Normalizer> = StageKind::kNormalizer;
-template <>
-inline constexpr StageKind kStageKindOf<Segmenter> = StageKind::kSegmenter;
-template <>
-inline constexpr StageKind kStageKindOf<Tracker> = StageKind::kTracker;
-template <>
-inline constexpr StageKind kStageKindOf<Sink> = StageKind::kSink;
 
 /// What is known of a plugin that loaded well.
 struct PluginInfo {
@@ -84,7 +68,7 @@ class PluginRegistry {
   ///   or when its constructor throws.
   StagePtr<Stage> create(StageKind kind, std::string_view name);
 
-  template <class T>
+  template <StageInterface T>
   StagePtr<T> create(std::string_view name) {
     StagePtr<Stage> stage = create(kStageKindOf<T>, name);
     StageDeleter deleter = stage.get_deleter();

@@ -1,8 +1,11 @@
 /// `maggic describe`: the parameters of plugins and pipeline sections.
 
 #include <cstdio>
+#include <exception>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,9 +20,7 @@
 namespace maggic::app {
 namespace {
 
-void print_parameters(const Describe& describe) {
-  const Palette palette = Palette::standard();
-  const std::vector<ParameterRow> rows = parameter_table(palette, describe);
+void print_parameters(const std::vector<ParameterRow>& rows) {
   if (rows.empty()) {
     fmt::print("  no parameters\n");
     return;
@@ -34,24 +35,46 @@ void print_parameters(const Describe& describe) {
   fmt::print("{}", table.to_string(2, width));
 }
 
-bool print_section(std::string_view name) {
+/// What is printed of one plugin or section.
+struct Description {
+  std::string title;
+  std::vector<ParameterRow> rows;
+};
+
+std::optional<Description> describe_section(std::string_view name) {
+  const Palette palette = Palette::standard();
   if (name == "field") {
-    fmt::print("section field: the field and the camera above it\n");
-    print_parameters([](Parameters& p) { FieldParameters().describe(p); });
-  } else if (name == "blobs") {
-    fmt::print("section blobs: which coloured regions are looked at\n");
-    print_parameters([](Parameters& p) { BlobParameters().describe(p); });
-  } else {
-    return false;
+    return Description{
+        "section field: the field and the camera above it",
+        parameter_table(palette, [](Parameters& p) { FieldParameters().describe(p); })};
   }
-  return true;
+  if (name == "blobs") {
+    return Description{
+        "section blobs: which coloured regions are looked at",
+        parameter_table(palette, [](Parameters& p) { BlobParameters().describe(p); })};
+  }
+  return std::nullopt;
 }
 
-void print_plugin(PluginRegistry& registry, std::string_view name) {
-  const PluginInfo info = registry.info(name);
-  fmt::print("{} {}: {}\n", name_of(info.kind), info.name, info.summary);
-  const StagePtr<Stage> stage = registry.create(info.kind, name);
-  print_parameters([&](Parameters& p) { stage->describe(p); });
+/// @throws PluginError also for whatever the plugin throws: its own exception object is gone before
+///   the stage is, and with the stage may go the library that holds its type.
+std::vector<ParameterRow> rows_of(Stage& stage, const PluginInfo& info) {
+  std::string reason;
+  try {
+    return parameter_table(Palette::standard(), [&](Parameters& p) { stage.describe(p); });
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+    reason = "an exception that is not a std::exception";
+  }
+  throw PluginError(fmt::format("plugin '{}' ({}) cannot describe itself: {}", info.name,
+                                info.file.string(), reason));
+}
+
+Description describe_plugin(PluginRegistry& registry, const PluginInfo& info) {
+  const StagePtr<Stage> stage = registry.create(info.kind, info.name);
+  return {fmt::format("{} {}: {}", name_of(info.kind), info.name, info.summary),
+          rows_of(*stage, info)};
 }
 
 }  // namespace
@@ -63,11 +86,25 @@ ExitCode describe_command(const DescribeOptions& options, const CommandLine& lin
     names = {"field", "blobs"};
     for (const PluginInfo& plugin : registry.scan().plugins) names.push_back(plugin.name);
   }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) fmt::print("\n");
-    if (!print_section(names[i])) print_plugin(registry, names[i]);
+  ExitCode code = kFine;
+  bool first = true;
+  for (const std::string& name : names) {
+    std::optional<Description> description = describe_section(name);
+    if (!description) {
+      const PluginInfo info = registry.info(name);  // not there: the command line is wrong
+      try {
+        description = describe_plugin(registry, info);
+      } catch (const PluginError& error) {
+        Console(stderr).line(error.what(), Console::Tone::kError, "error: ");
+        code = kFailed;
+        continue;
+      }
+    }
+    fmt::print("{}{}\n", first ? "" : "\n", description->title);
+    print_parameters(description->rows);
+    first = false;
   }
-  return kFine;
+  return code;
 }
 
 }  // namespace maggic::app

@@ -189,6 +189,20 @@ TEST_F(ProgramTest, DescribesPluginsAndSections) {
   EXPECT_THAT(maggic({"describe"}).out, AllOf(HasSubstr("max_area_mm2"), HasSubstr("two_tag")));
 }
 
+TEST_F(ProgramTest, DescribesTheOtherPluginsWhenSomeFail) {
+  const std::string extra = folder_.file("extra");
+  std::filesystem::create_directory(extra);
+  for (const char* name : {"throwing_constructor.so", "throwing_describe.so", "well_behaved.so"}) {
+    std::filesystem::copy(std::filesystem::path(MAGGIC_TEST_PLUGIN_DIR) / name, extra);
+  }
+  const auto result = maggic({"describe", "--plugin-path", extra});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("'throwing_constructor'"), HasSubstr("the camera club"),
+                                HasSubstr("'throwing_describe'"), HasSubstr("lost for words")));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("tracker two_tag"), HasSubstr("tracker well_behaved"),
+                                HasSubstr("sink jsonl"), Not(HasSubstr("throwing_"))));
+}
+
 TEST_F(ProgramTest, ListsPluginsAndWhyAFileWasRefused) {
   std::filesystem::create_directory(folder_.file("extra"));
   folder_.write("extra/not_a_library.so", "hello");

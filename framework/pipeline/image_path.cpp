@@ -1,6 +1,39 @@
 #include "pipeline/image_path.hpp"
 
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <opencv2/core.hpp>
+
 namespace maggic {
+namespace {
+
+void expect_like(const cv::Mat& made, const cv::Mat& bgr, int type, std::string_view what) {
+  if (made.dims > 2) {
+    throw std::runtime_error(
+        fmt::format("it made {} of {} dimensions, expected 2", what, made.dims));
+  }
+  if (made.size() != bgr.size()) {
+    throw std::runtime_error(fmt::format("it made {} of {}x{} for a picture of {}x{}", what,
+                                         made.cols, made.rows, bgr.cols, bgr.rows));
+  }
+  if (made.type() != type) {
+    throw std::runtime_error(fmt::format("it made {} of type {}, expected {}", what,
+                                         cv::typeToString(made.type()), cv::typeToString(type)));
+  }
+}
+
+void expect_below(const cv::Mat& labels, std::size_t palette_size) {
+  double highest = 0.0;
+  cv::minMaxLoc(labels, nullptr, &highest);
+  if (highest < static_cast<double>(palette_size)) return;
+  throw std::runtime_error(fmt::format("it gave the label {}, expected a label below the "
+                                       "palette's size {}",
+                                       highest, palette_size));
+}
+
+}  // namespace
 
 void ImagePath::Planes::resize(std::size_t size) {
   b.resize(size);
@@ -30,16 +63,20 @@ void ImagePath::normalize(const cv::Mat& bgr, Normalizer& normalizer) {
     normalize_rows(bgr, *by_color);
   } else {
     dynamic_cast<ImageNormalizer&>(normalizer).normalize(bgr, normalized_);
+    expect_like(normalized_, bgr, CV_8UC3, "a normalized picture");
   }
 }
 
-const cv::Mat& ImagePath::segment(const cv::Mat& bgr, Segmenter& segmenter) {
+const cv::Mat& ImagePath::segment(const cv::Mat& bgr, Segmenter& segmenter,
+                                  std::size_t palette_size) {
   labels_.create(bgr.size(), CV_8UC1);
   if (const auto* by_color = dynamic_cast<const ColorSegmenter*>(&segmenter)) {
     segment_rows(bgr, *by_color);
   } else {
     dynamic_cast<ImageSegmenter&>(segmenter).segment(bgr, normalized_, labels_);
+    expect_like(labels_, bgr, CV_8UC1, "a label image");
   }
+  expect_below(labels_, palette_size);
   return labels_;
 }
 

@@ -15,11 +15,13 @@ namespace maggic {
 class ImagePath {
  public:
   /// First step. @param bgr CV_8UC3.
+  /// @throws std::runtime_error when the stage made a picture of another size or type.
   void normalize(const cv::Mat& bgr, Normalizer& normalizer);
 
   /// Second step, on the same picture.
-  /// @return labels, CV_8UC1 of the same size; valid until the next call.
-  const cv::Mat& segment(const cv::Mat& bgr, Segmenter& segmenter);
+  /// @return labels below `palette_size`, CV_8UC1 of the same size; valid until the next call.
+  /// @throws std::runtime_error when the stage made anything else.
+  const cv::Mat& segment(const cv::Mat& bgr, Segmenter& segmenter, std::size_t palette_size);
 
  private:
   /// One row as three planes.

@@ -87,12 +87,13 @@ FrameOutcome Pipeline::process(FrameResult& result) {
 
 void Pipeline::take_size(cv::Size size) {
   if (field_ && field_->frame_size_px() == size) return;
-  field_ = std::make_shared<const Field>(parts_.field, size);
+  auto field = std::make_shared<const Field>(parts_.field, size);
   const cv::Point2d middle_px((size.width - 1) / 2.0, (size.height - 1) / 2.0);
-  const double mm2_per_px = field_->mm2_per_px2(middle_px, field_->robot_height_mm());
+  const double mm2_per_px = field->mm2_per_px2(middle_px, field->robot_height_mm());
   blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / mm2_per_px;
   blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / mm2_per_px;
   blob_limits_px_.max_blobs = static_cast<std::size_t>(parts_.blobs.max_blobs);
+  field_ = std::move(field);
 }
 
 void Pipeline::segment(FrameResult& result) {
@@ -104,8 +105,11 @@ void Pipeline::segment(FrameResult& result) {
   const cv::Mat& bgr = result.frame.bgr;
   guarded(StageKind::kNormalizer, parts_.normalizer.name, when,
           [&] { image_path_->normalize(bgr, *parts_.normalizer.stage); });
-  guarded(StageKind::kSegmenter, parts_.segmenter.name, when,
-          [&] { extract_runs(image_path_->segment(bgr, *parts_.segmenter.stage), result.runs); });
+  const cv::Mat& labels = guarded(
+      StageKind::kSegmenter, parts_.segmenter.name, when, [&]() -> const cv::Mat& {
+        return image_path_->segment(bgr, *parts_.segmenter.stage, parts_.palette.size());
+      });
+  extract_runs(labels, result.runs);
 }
 
 }  // namespace maggic

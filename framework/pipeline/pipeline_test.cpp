@@ -1,5 +1,9 @@
 #include "maggic/pipeline.hpp"
 
+#include <functional>
+#include <string>
+
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
@@ -85,28 +89,107 @@ TEST(Pipeline, ASkippedFrameHoldsNothingOfTheLastOne) {
   EXPECT_THAT(result.blobs, IsEmpty());
 }
 
-TEST(Pipeline, AThrowingImageStageIsNamed) {
-  struct Throwing : ImageSegmenter {
-    void segment(const cv::Mat&, const cv::Mat&, cv::Mat&) override {
-      throw std::runtime_error("no model");
-    }
-  };
+/// What `process` says of a picture of 640×480 with these stages; empty when nothing.
+std::string complaint(std::unique_ptr<Normalizer> normalizer, std::unique_ptr<Segmenter> segmenter) {
   testing::RecordingReporter reporter;
   PipelineParts parts;
   parts.palette = Palette::standard();
-  parts.normalizer = fakes::named<Normalizer>("same", std::make_unique<fakes::SameNormalizer>());
-  parts.segmenter = fakes::named<Segmenter>("throwing", std::make_unique<Throwing>());
+  parts.normalizer = fakes::named<Normalizer>("x", std::move(normalizer));
+  parts.segmenter = fakes::named<Segmenter>("x", std::move(segmenter));
   parts.tracker = fakes::named<Tracker>("hook", std::make_unique<fakes::HookTracker>());
   Pipeline pipeline(std::move(parts), reporter);
   FrameResult result;
   result.frame.sequence = 12;
-  result.frame.bgr = red_square(9, 7);
+  result.frame.bgr = red_square(640, 480);
   try {
     pipeline.process(result);
-    FAIL();
   } catch (const StageError& e) {
-    EXPECT_STREQ(e.what(), "segmenter 'throwing' failed at frame 12: no model");
+    return e.what();
   }
+  return {};
+}
+
+struct HookSegmenter : ImageSegmenter {
+  std::function<void(cv::Mat&)> hook;
+  explicit HookSegmenter(std::function<void(cv::Mat&)> h) : hook(std::move(h)) {}
+  void segment(const cv::Mat&, const cv::Mat&, cv::Mat& labels) override { hook(labels); }
+};
+
+struct HookNormalizer : ImageNormalizer {
+  std::function<void(cv::Mat&)> hook;
+  explicit HookNormalizer(std::function<void(cv::Mat&)> h) : hook(std::move(h)) {}
+  void normalize(const cv::Mat&, cv::Mat& normalized) override { hook(normalized); }
+};
+
+std::string complaint_of_segmenter(std::function<void(cv::Mat&)> hook) {
+  return complaint(std::make_unique<fakes::SameNormalizer>(),
+                   std::make_unique<HookSegmenter>(std::move(hook)));
+}
+
+std::string complaint_of_normalizer(std::function<void(cv::Mat&)> hook) {
+  return complaint(std::make_unique<HookNormalizer>(std::move(hook)),
+                   std::make_unique<fakes::RedSegmenter>());
+}
+
+TEST(Pipeline, AThrowingImageStageIsNamed) {
+  EXPECT_EQ(complaint_of_segmenter([](cv::Mat&) { throw std::runtime_error("no model"); }),
+            "segmenter 'x' failed at frame 12: no model");
+}
+
+TEST(Pipeline, AnImageStagesPictureOfAnotherSizeIsRefused) {
+  EXPECT_EQ(complaint_of_segmenter([](cv::Mat& m) { m = cv::Mat::zeros(3, 3, CV_8UC1); }),
+            "segmenter 'x' failed at frame 12: it made a label image of 3x3 for a picture of "
+            "640x480");
+  EXPECT_EQ(complaint_of_normalizer([](cv::Mat& m) { m = cv::Mat::zeros(640, 480, CV_8UC3); }),
+            "normalizer 'x' failed at frame 12: it made a normalized picture of 480x640 for a "
+            "picture of 640x480");
+  EXPECT_THAT(complaint_of_segmenter([](cv::Mat& m) { m.release(); }), HasSubstr("of 0x0 for"));
+}
+
+TEST(Pipeline, AnImageStagesPictureOfAnotherTypeIsRefused) {
+  EXPECT_EQ(complaint_of_segmenter([](cv::Mat& m) { m = cv::Mat::zeros(m.size(), CV_32SC1); }),
+            "segmenter 'x' failed at frame 12: it made a label image of type CV_32SC1, expected "
+            "CV_8UC1");
+  EXPECT_THAT(complaint_of_normalizer([](cv::Mat& m) { m = cv::Mat::zeros(m.size(), CV_8UC1); }),
+              HasSubstr("a normalized picture of type CV_8UC1, expected CV_8UC3"));
+  EXPECT_THAT(complaint_of_segmenter([](cv::Mat& m) {
+                const int sizes[] = {4, 480, 640};
+                m = cv::Mat::zeros(3, sizes, CV_8UC1);
+              }),
+              HasSubstr("a label image of 3 dimensions, expected 2"));
+}
+
+TEST(Pipeline, ALabelBeyondThePaletteIsRefused) {
+  const std::size_t size = Palette::standard().size();
+  const auto with_label = [](std::size_t label) {
+    return [label](cv::Mat& m) {
+      m.setTo(0);
+      m.at<Label>(479, 639) = static_cast<Label>(label);
+    };
+  };
+  EXPECT_EQ(complaint_of_segmenter(with_label(size - 1)), "");
+  EXPECT_EQ(complaint_of_segmenter(with_label(size)),
+            fmt::format("segmenter 'x' failed at frame 12: it gave the label {}, expected a label "
+                        "below the palette's size {}", size, size));
+}
+
+TEST(Pipeline, ARefusedPictureDoesNotHarmTheNextFrame) {
+  testing::RecordingReporter reporter;
+  int calls = 0;
+  PipelineParts parts;
+  parts.palette = Palette::standard();
+  parts.normalizer = fakes::named<Normalizer>("same", std::make_unique<fakes::SameNormalizer>());
+  parts.segmenter = fakes::named<Segmenter>(
+      "x", std::make_unique<HookSegmenter>([&](cv::Mat& labels) {
+        labels.setTo(0);
+        if (++calls == 1) labels = cv::Mat::zeros(3, 3, CV_8UC1);
+      }));
+  parts.tracker = fakes::named<Tracker>("hook", std::make_unique<fakes::HookTracker>());
+  Pipeline pipeline(std::move(parts), reporter);
+  FrameResult result;
+  result.frame.bgr = red_square(9, 7);
+  EXPECT_THROW(pipeline.process(result), StageError);
+  EXPECT_EQ(pipeline.process(result), FrameOutcome::kProcessed);
 }
 
 }  // namespace

@@ -69,19 +69,19 @@ class Pipeline {
   /// Fills `runs`, `blobs`, `detections` and the frame-path `times` of `result` from
   /// `result.frame`. Frames of 16 bit, one or four channels are converted in place; a frame of
   /// another size than the last one is taken as it comes.
-  /// @throws StageError when a stage throws; the pipeline can go on with the next frame.
+  /// @throws StageError when a stage throws or makes what it must not, any other std::exception
+  ///   when a step between the stages fails; the pipeline can go on with the next frame.
   FrameOutcome process(FrameResult& result);
 
   /// The transform for the latest processed frame's size; null before the first frame. Shared
   /// because sinks still work on a frame of the old size when a new one arrives.
   const std::shared_ptr<const Field>& field() const { return field_; }
-  /// The transform for frames of `size`.
-  Field field_for(cv::Size size) const { return Field(parts_.field, size); }
   const Palette& palette() const { return parts_.palette; }
   const PipelineParts& parts() const { return parts_; }
 
   /// The compiled table; nothing when a stage needs the picture.
   const ColorTable* color_table() const { return table_ ? &*table_ : nullptr; }
+  /// Zero when there is no table.
   std::chrono::nanoseconds table_compile_time() const { return table_compile_time_; }
 
  private:

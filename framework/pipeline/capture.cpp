@@ -35,7 +35,7 @@ Capture::~Capture() {
 void Capture::work() {
   try {
     read_all();
-  } catch (const StageError& e) {
+  } catch (const std::exception& e) {
     error_ = e.what();
   }
   queue_.close();
@@ -71,8 +71,9 @@ void Capture::read_all() {
 void Capture::wait_until_due(Timestamp captured) {
   const auto now = std::chrono::steady_clock::now();
   // A recording that loops or jumps back starts its clock anew.
-  if (!started_ || captured < first_captured_) {
-    started_ = true;
+  const bool anew = !last_captured_ || captured < *last_captured_;
+  last_captured_ = captured;
+  if (anew) {
     first_captured_ = captured;
     first_given_ = now;
     return;

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -48,7 +49,7 @@ class Capture {
   std::atomic<std::uint64_t> dropped_{0};
   std::string error_;
   FrameQueue queue_;
-  bool started_ = false;
+  std::optional<Timestamp> last_captured_;
   Timestamp first_captured_{0};
   std::chrono::steady_clock::time_point first_given_;
   std::thread thread_;

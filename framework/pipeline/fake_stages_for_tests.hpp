@@ -14,12 +14,15 @@
 
 namespace maggic::fakes {
 
-/// Gives `count` frames of `picture(i)`, 10 ms apart.
+/// Gives `count` frames of `picture(i)`, 10 ms apart unless told otherwise.
 struct CountingSource : Source {
   std::uint64_t count = 0;
   bool live = false;
   std::function<cv::Mat(std::uint64_t)> picture = [](std::uint64_t) {
     return cv::Mat(8, 8, CV_8UC3, cv::Scalar::all(0));
+  };
+  std::function<Timestamp(std::uint64_t)> captured = [](std::uint64_t i) {
+    return std::chrono::milliseconds(10 * i);
   };
   std::function<void(std::uint64_t)> before_read = [](std::uint64_t) {};
   std::uint64_t given = 0;
@@ -29,7 +32,7 @@ struct CountingSource : Source {
     if (given == count) return ReadStatus::kEnd;
     before_read(given);
     frame.bgr = picture(given);
-    frame.captured = std::chrono::milliseconds(10 * given);
+    frame.captured = captured(given);
     ++given;
     return ReadStatus::kFrame;
   }
@@ -102,7 +105,8 @@ struct Rig {
   std::vector<RecordingSink*> sinks;
   BuiltPipeline built;
 
-  explicit Rig(std::uint64_t frames, std::size_t sink_count = 1, bool image_stages = false) {
+  explicit Rig(std::uint64_t frames, std::size_t sink_count = 1, bool image_stages = false,
+               const FieldParameters& field = {}) {
     auto new_source = std::make_unique<CountingSource>();
     source = new_source.get();
     source->count = frames;
@@ -110,6 +114,7 @@ struct Rig {
     tracker = new_tracker.get();
     PipelineParts parts;
     parts.palette = Palette::standard();
+    parts.field = field;
     if (image_stages) {
       parts.normalizer = named<Normalizer>("same", std::make_unique<SameImageNormalizer>());
       parts.segmenter = named<Segmenter>("red", std::make_unique<RedImageSegmenter>());

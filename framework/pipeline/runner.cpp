@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "pipeline/capture.hpp"
 #include "pipeline/sink_thread.hpp"
@@ -19,6 +22,33 @@ std::size_t slots_for(std::size_t sinks, std::size_t queue_frames) {
   return 4 + sinks * (queue_frames + 1);
 }
 
+/// Whether the frames taken cover the wanted time of their source.
+class DurationLimit {
+ public:
+  DurationLimit(std::optional<double> duration_s, double frames_per_second)
+      : duration_s_(duration_s),
+        frame_s_(frames_per_second > 0.0 ? 1.0 / frames_per_second : 0.0) {}
+
+  void add(Timestamp captured) {
+    // A recording that jumps back goes on from there: what it covered before still counts.
+    if (last_ && captured > *last_) covered_ += captured - *last_;
+    last_ = captured;
+  }
+
+  bool reached() const {
+    if (!duration_s_ || !last_) return false;
+    // A frame stands for the time until the next one: 10 s at 60 fps are 600 frames, not 601.
+    const double covered_s = std::chrono::duration<double>(covered_).count() + frame_s_;
+    return covered_s >= *duration_s_ - frame_s_ / 2.0;
+  }
+
+ private:
+  const std::optional<double> duration_s_;
+  const double frame_s_;
+  std::optional<Timestamp> last_;
+  Timestamp covered_{0};
+};
+
 }  // namespace
 
 bool RunSummary::clean() const {
@@ -30,10 +60,11 @@ RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomi
                Reporter& reporter,
                const std::function<void(const FrameResult&, const RunSummary&)>& on_frame) {
   RunSummary summary;
+  summary.table_compile_time = built.pipeline->table_compile_time();
   try {
     summary.source = guarded(StageKind::kSource, built.source.name, "to open",
                              [&] { return built.source.stage->open(); });
-  } catch (const StageError& e) {
+  } catch (const std::exception& e) {
     summary.source_failed = true;
     summary.first_error = e.what();
     return summary;
@@ -52,23 +83,24 @@ RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomi
 
   {
     Capture capture(built.source, live, paced, pool, stop);
-    const auto wanted = [&] {
-      return !stop && (!options.max_frames || summary.processed < *options.max_frames);
+    const auto count_failed = [&](const std::string& message) {
+      if (summary.failed++ == 0) summary.first_error = message;
+      tell(reporter, message);
     };
-    while (wanted() && !capture.finished()) {
-      const FramePtr frame = capture.next(kPatience);
-      if (!frame) continue;
+    const auto take = [&](const FramePtr& frame) {
       try {
         const FrameOutcome outcome = built.pipeline->process(frame->result);
         summary.dropped = capture.dropped();
         if (outcome == FrameOutcome::kSkipped) {
           ++summary.skipped;
-          continue;
+          return;
         }
       } catch (const StageError& e) {
-        if (summary.failed++ == 0) summary.first_error = e.what();
-        reporter.warn(e.what());
-        continue;
+        count_failed(e.what());
+        return;
+      } catch (const std::exception& e) {
+        count_failed(fmt::format("frame {} failed: {}", frame->result.frame.sequence, e.what()));
+        return;
       }
       ++summary.processed;
       summary.times.add(frame->result.times);
@@ -77,18 +109,32 @@ RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomi
         if (live) {
           sink->offer(frame);
         } else {
-          sink->give(frame);
+          sink->give(frame, stop, options.patience_after_stop);
         }
       }
       if (on_frame) on_frame(frame->result, summary);
+    };
+
+    DurationLimit duration_limit(options.max_duration_s, summary.source.frames_per_second);
+    const auto wanted = [&] {
+      return !stop && !duration_limit.reached() &&
+             (!options.max_frames || summary.taken() < *options.max_frames);
+    };
+    while (wanted() && !capture.finished()) {
+      const FramePtr frame = capture.next(kPatience);
+      if (!frame) continue;
+      take(frame);
+      duration_limit.add(frame->result.frame.captured);
     }
     if (capture.finished() && !capture.error().empty()) {
       summary.source_failed = true;
       summary.first_error = capture.error();
-      reporter.warn(capture.error());
+      tell(reporter, capture.error());
     }
     summary.dropped = capture.dropped();
   }
+  // All at once, so that one that hangs does not keep the others from completing their outputs.
+  for (const std::unique_ptr<SinkThread>& sink : sinks) sink->close();
   for (const std::unique_ptr<SinkThread>& sink : sinks) summary.sinks.push_back(sink->finish());
   return summary;
 }

@@ -55,6 +55,39 @@ TEST(RunRecorded, StopsAfterMaxFrames) {
   EXPECT_EQ(rig.sinks[0]->sequences, first(7));
 }
 
+TEST(RunRecorded, FramesThatAreSkippedOrFailCountForMaxFrames) {
+  Rig rig(1'000'000);
+  rig.source->picture = [](std::uint64_t n) {
+    return n % 2 == 0 ? cv::Mat() : cv::Mat(8, 8, CV_8UC3, cv::Scalar::all(0));
+  };
+  rig.tracker->at_frame = [](std::uint64_t) { throw std::runtime_error("no"); };
+  const RunSummary summary = run_to_end(rig, {.max_frames = 7});
+  EXPECT_EQ(summary.skipped, 4u);
+  EXPECT_EQ(summary.failed, 3u);
+  EXPECT_EQ(summary.taken(), 7u);
+}
+
+TEST(RunRecorded, StopsAfterTheWantedTimeOfTheSource) {
+  Rig rig(1'000'000);
+  EXPECT_EQ(run_to_end(rig, {.max_duration_s = 0.5}).processed, 50u) << "10 ms apart";
+}
+
+TEST(RunRecorded, FramesThatAreSkippedOrFailTakeTheirTimeToo) {
+  Rig skipping(1'000'000);
+  skipping.source->picture = [](std::uint64_t) { return cv::Mat(); };
+  EXPECT_EQ(run_to_end(skipping, {.max_duration_s = 0.5}).skipped, 50u);
+  Rig failing(1'000'000);
+  failing.tracker->at_frame = [](std::uint64_t) { throw std::runtime_error("no"); };
+  EXPECT_EQ(run_to_end(failing, {.max_duration_s = 0.5}).failed, 50u);
+}
+
+TEST(RunRecorded, ARecordingThatLoopsReachesTheWantedTime) {
+  Rig rig(1'000'000);
+  rig.source->captured = [](std::uint64_t n) { return milliseconds(10 * (n % 11)); };
+  EXPECT_EQ(run_to_end(rig, {.max_duration_s = 0.5}).processed, 54u)
+      << "49 steps of 10 ms and 4 jumps back";
+}
+
 TEST(RunLive, NewestFrameWinsAndDropsAreCounted) {
   Rig rig(50);
   rig.source->live = true;
@@ -85,6 +118,14 @@ TEST(RunRealtime, PlaysARecordingAtItsOwnPace) {
   EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(99));
 }
 
+TEST(RunRealtime, AJumpBackStartsTheClockAnew) {
+  Rig rig(10);
+  rig.source->captured = [](std::uint64_t n) { return milliseconds(n < 5 ? 10 * n : 10 * n - 40); };
+  const auto start = std::chrono::steady_clock::now();
+  run_to_end(rig, {.realtime = true});
+  EXPECT_GE(std::chrono::steady_clock::now() - start, milliseconds(79)) << "40 ms, twice";
+}
+
 TEST(RunTrouble, AThrowingTrackerIsNamedWithItsFrameAndTheRunGoesOn) {
   Rig rig(5);
   rig.tracker->at_frame = [](std::uint64_t n) {
@@ -101,6 +142,37 @@ TEST(RunTrouble, WhatIsNoStdExceptionIsReportedToo) {
   Rig rig(2);
   rig.tracker->at_frame = [](std::uint64_t) { throw 42; };
   EXPECT_THAT(run_to_end(rig).first_error, HasSubstr("not a std::exception"));
+}
+
+TEST(RunTrouble, WhatFailsBetweenTheStagesIsCountedAndTheRunGoesOn) {
+  FieldParameters under_the_tags;
+  under_the_tags.camera_height_mm = 10.0;
+  Rig rig(3, 1, false, under_the_tags);
+  const RunSummary summary = run_to_end(rig);
+  EXPECT_EQ(summary.failed, 3u);
+  EXPECT_THAT(summary.first_error, HasSubstr("frame 0 failed: an object 75 mm high"));
+  EXPECT_THAT(rig.reporter.messages(), SizeIs(3));
+  EXPECT_TRUE(rig.sinks[0]->closed);
+}
+
+TEST(RunTrouble, AReporterThatThrowsEndsNothing) {
+  struct Broken : Reporter {
+    void warn(std::string_view) override { throw std::bad_alloc(); }
+  };
+  Rig rig(6, 2);
+  rig.tracker->at_frame = [](std::uint64_t n) {
+    if (n == 2) throw std::runtime_error("no");
+  };
+  rig.sinks[0]->at_open = [] { throw std::runtime_error("no"); };
+  rig.source->before_read = [](std::uint64_t n) {
+    if (n == 5) throw std::runtime_error("no");
+  };
+  Broken reporter;
+  const std::atomic<bool> stop{false};
+  const RunSummary summary = run(rig.built, {}, stop, reporter);
+  EXPECT_EQ(summary.failed, 1u);
+  EXPECT_TRUE(summary.source_failed);
+  EXPECT_THAT(rig.sinks[1]->sequences, ElementsAre(0, 1, 3, 4));
 }
 
 TEST(RunTrouble, ASinkThatCannotOpenLeavesTheOthersAlone) {
@@ -158,6 +230,26 @@ TEST(RunTrouble, StoppingClosesTheSinks) {
   EXPECT_EQ(summary.processed, 21u);
   EXPECT_TRUE(rig.sinks[0]->closed);
   EXPECT_EQ(rig.sinks[0]->sequences, first(21));
+}
+
+TEST(RunTrouble, AHangingSinkDoesNotKeepAStoppedRunWaiting) {
+  Rig rig(1'000'000, 2);
+  std::atomic<bool> hanging{true};
+  rig.sinks[0]->at_write = [&](std::uint64_t) {
+    while (hanging) std::this_thread::sleep_for(milliseconds(1));
+  };
+  std::atomic<bool> stop{false};
+  // Frame 0 hangs, frame 1 waits in the queue, frame 2 finds no room.
+  rig.tracker->at_frame = [&](std::uint64_t n) { stop = n == 2; };
+  const RunSummary summary =
+      run(rig.built, {.sink_queue_frames = 1, .patience_after_stop = milliseconds(10)}, stop,
+          rig.reporter, [&](const FrameResult& result, const RunSummary&) {
+            if (result.frame.sequence == 2) hanging = false;
+          });
+  EXPECT_EQ(summary.sinks[0].dropped, 1u);
+  EXPECT_THAT(rig.sinks[0]->sequences, ElementsAre(0, 1));
+  EXPECT_EQ(rig.sinks[1]->sequences, first(3));
+  EXPECT_TRUE(rig.sinks[0]->closed);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "pipeline/sink_thread.hpp"
 
+#include <optional>
+
 #include "pipeline/stage_guard.hpp"
 
 namespace maggic {
@@ -26,13 +28,22 @@ bool SinkThread::offer(const FramePtr& frame) {
   return false;
 }
 
-void SinkThread::give(const FramePtr& frame) {
+bool SinkThread::give(const FramePtr& frame, const std::atomic<bool>& stop,
+                      std::chrono::milliseconds patience) {
+  std::optional<std::chrono::steady_clock::time_point> give_up;
   while (!queue_.push(frame, kPatience)) {
+    if (!stop) continue;
+    const auto now = std::chrono::steady_clock::now();
+    if (!give_up) give_up = now + patience;
+    if (now < *give_up) continue;
+    ++dropped_;
+    return false;
   }
+  return true;
 }
 
 SinkSummary SinkThread::finish() {
-  queue_.close();
+  close();
   thread_.join();
   summary_.dropped = dropped_;
   return summary_;
@@ -43,7 +54,7 @@ void SinkThread::work() {
   try {
     guarded(StageKind::kSink, sink_.name, "to open", [&] { sink_.stage->open(info_); });
     open = true;
-  } catch (const StageError& e) {
+  } catch (const std::exception& e) {
     fail(e.what());
   }
   // The queue is emptied even without a sink to write to, so that nobody waits for room in it.
@@ -54,7 +65,7 @@ void SinkThread::work() {
       guarded(StageKind::kSink, sink_.name, AtFrame{frame->result.frame.sequence},
               [&] { sink_.stage->write(frame->result, *frame->field); });
       ++summary_.written;
-    } catch (const StageError& e) {
+    } catch (const std::exception& e) {
       ++summary_.failed;
       fail(e.what());
     }
@@ -62,7 +73,7 @@ void SinkThread::work() {
   if (!open) return;
   try {
     guarded(StageKind::kSink, sink_.name, "to close", [&] { sink_.stage->close(); });
-  } catch (const StageError& e) {
+  } catch (const std::exception& e) {
     fail(e.what());
   }
 }
@@ -70,7 +81,7 @@ void SinkThread::work() {
 void SinkThread::fail(const std::string& message) {
   if (!summary_.first_error.empty()) return;
   summary_.first_error = message;
-  reporter_.warn(message);
+  tell(reporter_, message);
 }
 
 }  // namespace maggic

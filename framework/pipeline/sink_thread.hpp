@@ -2,6 +2,7 @@
 /// One sink on a thread of its own behind a bounded queue.
 
 #include <atomic>
+#include <chrono>
 #include <string>
 #include <thread>
 
@@ -24,10 +25,15 @@ class SinkThread {
 
   /// Never waits. @return false when the queue was full and the frame was dropped for this sink.
   bool offer(const FramePtr& frame);
-  /// Waits for room. Every frame given is written.
-  void give(const FramePtr& frame);
+  /// Waits for room; once `stop` is set, no longer than `patience`.
+  /// @return false when there was none even then and the frame was dropped for this sink.
+  bool give(const FramePtr& frame, const std::atomic<bool>& stop,
+            std::chrono::milliseconds patience);
 
-  /// Lets the sink write what is queued, closes it, and ends the thread.
+  /// Nothing more will be offered or given; the sink is closed once it wrote what is queued.
+  void close() { queue_.close(); }
+
+  /// Closes, waits for that, and ends the thread.
   SinkSummary finish();
 
  private:

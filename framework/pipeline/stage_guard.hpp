@@ -37,4 +37,12 @@ decltype(auto) guarded(StageKind kind, std::string_view name, When when, F&& cal
   }
 }
 
+/// A reporter that fails leaves nobody to tell, and is no reason to end a run.
+inline void tell(Reporter& reporter, std::string_view message) noexcept {
+  try {
+    reporter.warn(message);
+  } catch (...) {
+  }
+}
+
 }  // namespace maggic

@@ -14,7 +14,8 @@ namespace maggic::app {
 enum ExitCode : int {
   kFine = 0,
   kFailed = 1,   ///< Something failed during the run; outputs may be incomplete.
-  kMistake = 2,  ///< The command line or a configuration file is wrong; nothing was run.
+  kMistake = 2,  ///< The command line or a configuration file is wrong, or the pipeline cannot be
+                 ///< built; nothing was run.
 };
 
 /// A pipeline with what the command line lays over it.

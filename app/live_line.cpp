@@ -24,16 +24,30 @@ std::string clock(double seconds) {
   return fmt::format("{}:{:02}", whole / 60, whole % 60);
 }
 
+/// How much of the run is over, by the limit that will be reached first.
+std::optional<double> share_done(const LiveState& state) {
+  const std::uint64_t taken = state.processed + state.skipped + state.failed;
+  std::optional<double> done;
+  const auto count = [&](std::uint64_t frames, std::optional<std::uint64_t> limit) {
+    if (!limit || *limit == 0) return;
+    const double share = static_cast<double>(frames) / static_cast<double>(*limit);
+    done = std::clamp(share, done.value_or(0.0), 1.0);
+  };
+  count(taken, state.max_taken);
+  count(taken + state.dropped, state.total);
+  return done;
+}
+
 std::string progress(const LiveState& state, int width) {
-  if (!state.total || *state.total == 0) return fmt::format("frame {}", state.processed);
-  const double done =
-      std::min(1.0, static_cast<double>(state.processed) / static_cast<double>(*state.total));
+  const std::optional<double> known = share_done(state);
+  if (!known) return fmt::format("frame {}", state.processed);
+  const double done = *known;
   const int bar = bar_cells(width);
   const int cells = static_cast<int>(done * bar);
   std::string text = fmt::format("[{:#<{}}{:-<{}}] {:3.0f}%", "", cells, "", bar - cells,
                                  std::floor(done * 100.0));
   // The rate of the whole run: the latest one jumps, and so would the time left.
-  if (state.processed > 0 && done < 1.0) {
+  if (done > 0.0 && done < 1.0) {
     text += " ETA " + clock(state.elapsed_s / done * (1.0 - done));
   }
   return text;

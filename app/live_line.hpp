@@ -22,7 +22,8 @@ struct LiveState {
   std::uint64_t dropped = 0;
   std::uint64_t skipped = 0;
   std::uint64_t failed = 0;
-  std::optional<std::uint64_t> total;  ///< Frames this run will have, when known.
+  std::optional<std::uint64_t> total;      ///< Frames the source will give, when known.
+  std::optional<std::uint64_t> max_taken;  ///< Frames the run will take, dropped ones not counted.
   double elapsed_s = 0.0;
   double frames_per_second = 0.0;  ///< Lately.
   std::size_t robots = 0;          ///< In the latest frame, predicted ones included.

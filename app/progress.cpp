@@ -11,7 +11,10 @@ constexpr double kRateSmoothing = 0.2;  // weight of the latest interval on a te
 
 }  // namespace
 
-Progress::Progress(Console& console) : console_(console), thread_([this] { show_until_done(); }) {}
+Progress::Progress(Console& console, std::optional<std::uint64_t> max_taken) : console_(console) {
+  state_.max_taken = max_taken;
+  thread_ = std::thread([this] { show_until_done(); });
+}
 
 Progress::~Progress() {
   {

@@ -17,13 +17,14 @@ namespace maggic::app {
 /// terminal, every two seconds elsewhere. Stops when destroyed.
 class Progress {
  public:
-  explicit Progress(Console& console);
+  /// @param max_taken frames the run will take at most, when limited.
+  Progress(Console& console, std::optional<std::uint64_t> max_taken);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   /// Called after each processed frame, on the frame path's thread: copies a few numbers.
-  /// @param total frames this run will have, when known.
+  /// @param total frames the source will give, when known.
   void update(const FrameResult& result, const RunSummary& summary,
               std::optional<std::uint64_t> total);
 

@@ -39,6 +39,28 @@ TEST(LiveLine, CountsFramesOfAnEndlessSource) {
               AllOf(HasSubstr("frame 500"), HasSubstr("no ball"), Not(HasSubstr("ETA"))));
 }
 
+TEST(LiveLine, MeasuresProgressByEveryFrameTheSourceGave) {
+  LiveState state = half_done();
+  state.processed = 100;
+  state.dropped = 400;
+  state.skipped = 200;
+  state.failed = 50;
+  EXPECT_THAT(live_line(state, 200), HasSubstr(" 75% ETA 0:25"));
+}
+
+TEST(LiveLine, MeasuresProgressTowardsAFrameLimitByFramesTaken) {
+  LiveState state = half_done();
+  state.total.reset();
+  state.max_taken = 1000;
+  state.processed = 100;
+  state.dropped = 400;
+  state.skipped = 100;
+  state.failed = 50;
+  EXPECT_THAT(live_line(state, 200), HasSubstr(" 25% ETA 3:45"));
+  state.total = 2000;
+  EXPECT_THAT(live_line(state, 200), HasSubstr(" 32%")) << "the source ends before the limit";
+}
+
 TEST(LiveLine, FitsTheFramePathsTimesIntoAnOrdinaryTerminal) {
   EXPECT_EQ(live_line(half_done(), 79),
             "[###---]  50% ETA 1:15  7 fps  6 robots+ball  0 dropped  p50/p99 0.50/0.75 ms");
@@ -87,6 +109,14 @@ TEST(Summary, NamesFailedOutputsAndTheirReason) {
               AllOf(HasSubstr("20 frames in 2.0 s (10.0 fps)"),
                     HasSubstr("jsonl  15  frames, 5 failed: cannot write 'x': No space left"),
                     Not(HasSubstr("ground truth"))));
+}
+
+TEST(Summary, TellsWhatTheColourTableTook) {
+  RunSummary summary;
+  EXPECT_THAT(summary_text(summary, TruthScore(), 1.0), Not(HasSubstr("colour table")));
+  summary.table_compile_time = std::chrono::microseconds(123456);
+  EXPECT_THAT(summary_text(summary, TruthScore(), 1.0),
+              HasSubstr("colour table compiled in 123.456 ms before the run"));
 }
 
 TEST(Summary, ComparesWithTheTruthWhereThereIsOne) {

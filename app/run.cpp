@@ -3,6 +3,8 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
+#include <exception>
 #include <optional>
 
 #include <fmt/format.h>
@@ -25,7 +27,8 @@ using std::chrono::steady_clock;
 std::atomic<bool> stop_wanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-/// The first Ctrl-C ends the run in order, outputs complete; a second one kills.
+/// The first Ctrl-C ends the run in order, outputs complete; a second one kills. So does closing
+/// the terminal, unless it is to be outlived (nohup).
 void end_on_signals() {
   struct sigaction action {};
   action.sa_handler = [](int) { stop_wanted = true; };
@@ -33,6 +36,9 @@ void end_on_signals() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction of_hangup {};
+  sigaction(SIGHUP, nullptr, &of_hangup);
+  if (of_hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
 }
 
 /// Whether an output of the pipeline goes to standard output, where the summary would spoil it.
@@ -52,36 +58,46 @@ bool writes_to_stdout(const PipelineRequest& request) {
   return false;
 }
 
-/// Ends a run once it has covered `duration_s` of the source's time.
-class DurationLimit {
- public:
-  explicit DurationLimit(std::optional<double> duration_s) : duration_s_(duration_s) {}
-
-  bool reached(Timestamp captured, const SourceInfo& source) {
-    if (!duration_s_) return false;
-    if (!first_) first_ = captured;
-    // A frame stands for the time until the next one: 10 s at 60 fps are 600 frames, not 601.
-    const double frame_s = source.frames_per_second > 0.0 ? 1.0 / source.frames_per_second : 0.0;
-    const double covered_s = duration<double>(captured - *first_).count() + frame_s;
-    return covered_s >= *duration_s_ - frame_s / 2.0;
-  }
-
- private:
-  std::optional<double> duration_s_;
-  std::optional<Timestamp> first_;
-};
-
+/// Frames the source will give until its end or the end of the wanted duration, when known.
 std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
                                              const SourceInfo& source) {
   std::optional<std::uint64_t> total = source.frame_count;
   const auto limit = [&](std::uint64_t frames) {
     total = std::min(total.value_or(frames), frames);
   };
-  if (options.frames) limit(*options.frames);
   if (options.duration_s && source.frames_per_second > 0.0) {
     limit(static_cast<std::uint64_t>(*options.duration_s * source.frames_per_second + 0.5));
   }
   return total;
+}
+
+ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, std::FILE* report,
+                        Console& console, ConsoleReporter& reporter) {
+  TruthScore truth;
+  RunOptions run_options;
+  run_options.max_frames = options.frames;
+  run_options.max_duration_s = options.duration_s;
+  run_options.realtime = options.realtime;
+  const auto started = steady_clock::now();
+  RunSummary summary;
+  {
+    Progress progress(console, options.frames);
+    summary = run(built, run_options, stop_wanted, reporter,
+                  [&](const FrameResult& result, const RunSummary& so_far) {
+                    if (result.frame.has_truth) truth.add(result.detections, result.frame.truth);
+                    progress.update(result, so_far, expected_frames(options, so_far.source));
+                  });
+  }
+  const double elapsed_s = duration<double>(steady_clock::now() - started).count();
+  reporter.print_totals();
+
+  fmt::print(report, "{}", summary_text(summary, truth, elapsed_s));
+  std::fflush(report);
+  if (!summary.clean()) {
+    console.line("something failed during the run, see above", Console::Tone::kError, "error: ");
+    return kFailed;
+  }
+  return kFine;
 }
 
 }  // namespace
@@ -102,34 +118,16 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
     console.line(note.to_string(), Console::Tone::kWarning, "note: ");
   }
 
-  end_on_signals();
-  TruthScore truth;
-  DurationLimit limit(options.duration_s);
-  RunOptions run_options;
-  run_options.max_frames = options.frames;
-  run_options.realtime = options.realtime;
-  const auto started = steady_clock::now();
-  RunSummary summary;
-  {
-    Progress progress(console);
-    summary = run(built, run_options, stop_wanted, reporter,
-                  [&](const FrameResult& result, const RunSummary& so_far) {
-                    if (result.frame.has_truth) truth.add(result.detections, result.frame.truth);
-                    progress.update(result, so_far, expected_frames(options, so_far.source));
-                    if (limit.reached(result.frame.captured, so_far.source)) stop_wanted = true;
-                  });
-  }
-  const double elapsed_s = duration<double>(steady_clock::now() - started).count();
-  reporter.print_totals();
+  const bool stdout_taken = writes_to_stdout(request);
 
-  std::FILE* report = writes_to_stdout(request) ? stderr : stdout;
-  fmt::print(report, "{}", summary_text(summary, truth, elapsed_s));
-  std::fflush(report);
-  if (!summary.clean()) {
-    console.line("something failed during the run, see above", Console::Tone::kError, "error: ");
+  end_on_signals();
+  try {
+    return run_and_report(built, options, stdout_taken ? stderr : stdout, console,
+                          reporter);
+  } catch (const std::exception& error) {
+    console.line(error.what(), Console::Tone::kError, "error: ");
     return kFailed;
   }
-  return kFine;
 }
 
 }  // namespace maggic::app

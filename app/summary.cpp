@@ -85,6 +85,10 @@ std::string summary_text(const RunSummary& summary, const TruthScore& truth, dou
   text += '\n';
   if (!summary.first_error.empty()) text += fmt::format("first error: {}\n", summary.first_error);
   if (summary.processed > 0) text += '\n' + times_text(summary.times);
+  if (summary.table_compile_time.count() > 0) {
+    text += fmt::format("\ncolour table compiled in {} ms before the run\n",
+                        ms(summary.table_compile_time));
+  }
   if (!summary.sinks.empty()) text += "\noutputs\n" + sinks_text(summary.sinks);
   if (truth.frames > 0) {
     text +=

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include <boost/container/static_vector.hpp>
 
@@ -12,8 +11,20 @@
 namespace maggic::tracking {
 namespace {
 
-// More readings than these of one team patch only come up in noise.
-constexpr std::size_t kMaxPerTeamBlob = 24;
+// More readings than these of one team patch, or of a frame, only come up in noise.
+constexpr int kMaxPerTeamBlob = 24;
+constexpr int kMaxPerFrame = 3000;
+// Blobs tried as patches, in a frame of noise shared out evenly among the team patches.
+constexpr int kMaxTriesPerTeamBlob = 20'000;
+constexpr int kMaxTriesPerFrame = 500'000;
+
+bool is_worth_more(const Candidate& x, const Candidate& y) {
+  const auto worth = [](const Candidate& c) {
+    return c.score + (c.color_id != kUnknownId ? kListedScore : 0.0);
+  };
+  if (worth(x) != worth(y)) return worth(x) > worth(y);
+  return x.layout != y.layout ? x.layout < y.layout : x.blobs < y.blobs;
+}
 
 // Where the halves of a merged blob part is known roughly only; the other patch's own direction is
 // better than the line between the two.
@@ -28,34 +39,68 @@ void turn_to_whole_patch(const PatchModel& patch, const MetricBlob& blob, Pose& 
 
 void CandidateGenerator::generate(const TagBlobs& blobs, std::vector<Candidate>& candidates) {
   const std::vector<MetricBlob>& all = blobs.all();
+  is_cut_short_ = false;
+  const int team_blobs = static_cast<int>(std::ranges::count_if(
+      all, [&](const MetricBlob& blob) { return blobs.is_team_color(blob.label); }));
+  if (team_blobs == 0) return;
+  const auto most = static_cast<std::ptrdiff_t>(
+      std::clamp(kMaxPerFrame / team_blobs, 4, kMaxPerTeamBlob));
+  const int tries = std::min(kMaxTriesPerFrame / team_blobs, kMaxTriesPerTeamBlob);
   for (int b = 0; b < static_cast<int>(all.size()); ++b) {
     const MetricBlob& blob = all[static_cast<std::size_t>(b)];
     if (!blobs.is_team_color(blob.label)) continue;
-    const std::size_t first = candidates.size();
+    tries_left_ = tries;
+    const auto first = static_cast<std::ptrdiff_t>(candidates.size());
     for (int l = 0; l < static_cast<int>(layouts_.size()); ++l) {
       const LayoutModel& layout = layouts_[static_cast<std::size_t>(l)];
       if (!blobs.fits_area(layout.team(), blob)) continue;
-      const double reach = layout.reach_mm + 2.0 * parameters_.max_patch_error_mm;
-      std::tie(first_near_, last_near_) = blobs.within_x(blob.position_mm.x, reach);
       Candidate start;
       start.team = blob.label == parameters_.blue_team_color ? Team::kBlue : Team::kYellow;
       start.layout = l;
       start.blobs[0] = b;
       start.found = 1;
       start.has_half = blob.is_half();
+      list_options(blobs, start);
       extend(blobs, start, 1, candidates);
     }
-    if (candidates.size() - first > kMaxPerTeamBlob) {
-      std::sort(candidates.begin() + static_cast<std::ptrdiff_t>(first), candidates.end(),
-                [](const Candidate& x, const Candidate& y) {
-                  const auto worth = [](const Candidate& c) {
-                    return c.score + (c.color_id != kUnknownId ? kListedScore : 0.0);
-                  };
-                  if (worth(x) != worth(y)) return worth(x) > worth(y);
-                  return x.layout != y.layout ? x.layout < y.layout : x.blobs < y.blobs;
-                });
-      candidates.resize(first + kMaxPerTeamBlob);
+    is_cut_short_ = is_cut_short_ || tries_left_ <= 0;
+    if (static_cast<std::ptrdiff_t>(candidates.size()) - first > most) {
+      std::sort(candidates.begin() + first, candidates.end(), is_worth_more);
+      candidates.resize(static_cast<std::size_t>(first + most));
     }
+  }
+}
+
+void CandidateGenerator::list_options(const TagBlobs& blobs, const Candidate& start) {
+  const LayoutModel& layout = layouts_[static_cast<std::size_t>(start.layout)];
+  const MetricBlob& team = blobs.all()[static_cast<std::size_t>(start.blobs[0])];
+  const double reach = layout.reach_mm + 3.0 * parameters_.max_patch_error_mm;
+  const auto [first, last] = blobs.within_x(team.position_mm.x, reach);
+  for (std::vector<Option>& options : options_) options.clear();
+  for (int b = first; b < last; ++b) {
+    const MetricBlob& blob = blobs.all()[static_cast<std::size_t>(b)];
+    if (std::abs(blob.position_mm.y - team.position_mm.y) > reach) continue;
+    if (blob.is_half() && start.has_half) continue;
+    const bool may_be_unlisted = !blobs.is_team_color(blob.label) &&
+                                 blobs.may_be_player(blob.label) &&
+                                 blob.label != parameters_.ball_color;
+    for (int patch = 1; patch <= layout.player_count(); ++patch) {
+      const PatchModel& model = layout.patches[static_cast<std::size_t>(patch)];
+      const bool listed = layout.is_listed(patch - 1, blob.label);
+      if ((!listed && !may_be_unlisted) || !blobs.fits_area(model, blob)) continue;
+      if (!keeps_distance(layout, 0, team, patch, blob)) continue;
+      const double off = length_of(blob.position_mm - team.position_mm) -
+                         length_of(model.center_mm - layout.team().center_mm);
+      options_[static_cast<std::size_t>(patch)].push_back(
+          {b, place_cost(off, parameters_.max_patch_error_mm) + shape_cost(model, blob, nullptr) +
+                  (listed ? 0.0 : kUnlistedCost)});
+    }
+  }
+  // Best first: when there is too much to try, what is left out is the least likely.
+  for (std::vector<Option>& options : options_) {
+    std::ranges::sort(options, [](const Option& a, const Option& b) {
+      return a.cost != b.cost ? a.cost < b.cost : a.blob < b.blob;
+    });
   }
 }
 
@@ -67,17 +112,12 @@ void CandidateGenerator::extend(const TagBlobs& blobs, Candidate& partial, int p
     if (partial.found > 1 && finish(blobs, candidate)) candidates.push_back(candidate);
     return;
   }
-  const PatchModel& model = layout.patches[static_cast<std::size_t>(patch)];
-  for (int b = first_near_; b < last_near_; ++b) {
-    const MetricBlob& blob = blobs.all()[static_cast<std::size_t>(b)];
+  for (const Option& option : options_[static_cast<std::size_t>(patch)]) {
+    if (--tries_left_ <= 0) return;
+    const MetricBlob& blob = blobs.all()[static_cast<std::size_t>(option.blob)];
     if (blob.is_half() && partial.has_half) continue;
-    if (!blobs.fits_area(model, blob) || !keeps_distances(blobs, partial, patch, blob)) continue;
-    if (!layout.is_listed(patch - 1, blob.label) &&
-        (blobs.is_team_color(blob.label) || !blobs.may_be_player(blob.label) ||
-         blob.label == parameters_.ball_color)) {
-      continue;
-    }
-    partial.blobs[static_cast<std::size_t>(patch)] = b;
+    if (!keeps_distances(blobs, partial, patch, blob)) continue;
+    partial.blobs[static_cast<std::size_t>(patch)] = option.blob;
     ++partial.found;
     partial.has_half = partial.has_half || blob.is_half();
     extend(blobs, partial, patch + 1, candidates);
@@ -91,21 +131,26 @@ void CandidateGenerator::extend(const TagBlobs& blobs, Candidate& partial, int p
 bool CandidateGenerator::keeps_distances(const TagBlobs& blobs, const Candidate& partial,
                                          int patch, const MetricBlob& blob) const {
   const LayoutModel& layout = layouts_[static_cast<std::size_t>(partial.layout)];
-  const cv::Point2d center = layout.patches[static_cast<std::size_t>(patch)].center_mm;
-  for (int k = 0; k < patch; ++k) {
+  // The distance from the team patch, number 0, has been looked at once and for all.
+  for (int k = 1; k < patch; ++k) {
     const int other = partial.blobs[static_cast<std::size_t>(k)];
     if (other < 0) continue;
     const MetricBlob& placed = blobs.all()[static_cast<std::size_t>(other)];
-    if (placed.source == blob.source && (placed.parts & blob.parts) != 0) return false;
-    const cv::Point2d expected = layout.patches[static_cast<std::size_t>(k)].center_mm - center;
-    const cv::Point2d seen = placed.position_mm - blob.position_mm;
-    const double tolerance =
-        (placed.is_half() || blob.is_half() ? 3.0 : 2.0) * parameters_.max_patch_error_mm;
-    if (std::abs(std::sqrt(seen.dot(seen)) - std::sqrt(expected.dot(expected))) > tolerance) {
-      return false;
-    }
+    if (!keeps_distance(layout, k, placed, patch, blob)) return false;
   }
   return true;
+}
+
+bool CandidateGenerator::keeps_distance(const LayoutModel& layout, int placed_patch,
+                                        const MetricBlob& placed, int patch,
+                                        const MetricBlob& blob) const {
+  if (placed.source == blob.source && (placed.parts & blob.parts) != 0) return false;
+  const cv::Point2d expected = layout.patches[static_cast<std::size_t>(placed_patch)].center_mm -
+                               layout.patches[static_cast<std::size_t>(patch)].center_mm;
+  const double tolerance =
+      (placed.is_half() || blob.is_half() ? 3.0 : 2.0) * parameters_.max_patch_error_mm;
+  return std::abs(length_of(placed.position_mm - blob.position_mm) - length_of(expected)) <=
+         tolerance;
 }
 
 bool CandidateGenerator::finish(const TagBlobs& blobs, Candidate& candidate) const {
@@ -155,7 +200,7 @@ bool CandidateGenerator::fit(const TagBlobs& blobs, Candidate& candidate) const 
     const MetricBlob& blob = *blob_of(k);
     const cv::Point2d off =
         blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
-    const double error = std::hypot(off.x, off.y);
+    const double error = length_of(off);
     if (error > max_error) return false;
     candidate.score += blob.is_half() ? kHalfPatchScore : kPatchScore;
     candidate.score -= place_cost(error, max_error);

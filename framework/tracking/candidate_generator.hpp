@@ -21,6 +21,8 @@ class TagBlobs {
   void load(std::span<const Blob> blobs, const Field& field);
 
   const std::vector<MetricBlob>& all() const { return blobs_; }
+  /// Whether the last frame held more blobs than are looked at.
+  bool is_cut_short() const { return is_cut_short_; }
   /// Indices [first, last) of the blobs with x within `reach_mm` of `x_mm`.
   std::pair<int, int> within_x(double x_mm, double reach_mm) const;
 
@@ -39,6 +41,7 @@ class TagBlobs {
   double max_area_mm2_ = 0.0;
   std::array<bool, 256> listed_{};
   std::vector<MetricBlob> blobs_;
+  bool is_cut_short_ = false;
 };
 
 /// Builds candidates from a team patch and at least one player patch.
@@ -50,19 +53,32 @@ class CandidateGenerator {
   /// Appends to `candidates`.
   void generate(const TagBlobs& blobs, std::vector<Candidate>& candidates);
 
+  /// Whether the last frame held so much noise that not everything was tried.
+  bool is_cut_short() const { return is_cut_short_; }
+
  private:
+  /// A blob that may be a certain player patch of the robot being built.
+  struct Option {
+    int blob = 0;
+    double cost = 0.0;
+  };
+
+  void list_options(const TagBlobs& blobs, const Candidate& start);
   void extend(const TagBlobs& blobs, Candidate& partial, int patch,
               std::vector<Candidate>& candidates);
   bool keeps_distances(const TagBlobs& blobs, const Candidate& partial, int patch,
                        const MetricBlob& blob) const;
+  bool keeps_distance(const LayoutModel& layout, int placed_patch, const MetricBlob& placed,
+                      int patch, const MetricBlob& blob) const;
   bool finish(const TagBlobs& blobs, Candidate& candidate) const;
   bool read_colors(const TagBlobs& blobs, Candidate& candidate) const;
   bool fit(const TagBlobs& blobs, Candidate& candidate) const;
 
   const TrackingParameters& parameters_;
   std::span<const LayoutModel> layouts_;
-  int first_near_ = 0;
-  int last_near_ = 0;
+  std::array<std::vector<Option>, kMaxPatches> options_;
+  int tries_left_ = 0;
+  bool is_cut_short_ = false;
 };
 
 }  // namespace maggic::tracking

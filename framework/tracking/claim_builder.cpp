@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <boost/container/static_vector.hpp>
 
@@ -19,6 +20,21 @@ constexpr double kMaxBlindGateMm = 40.0;
 constexpr double kBlindCost = 2.0;
 constexpr int kSteadyFrames = 3;
 constexpr double kMaxUnknownTeamCost = 4.0;
+constexpr std::size_t kMaxClaims = 1000;
+// A team blob of this part of the whole tag's area may have swallowed the player patches.
+constexpr double kMinWholeRatio = 0.7;
+constexpr double kMaxWholeRatio = 1.4;
+
+// Takes the heading from the line of one elongated blob, on the side nearest to the prediction.
+void turn_to_line(const PatchModel& patch, const MetricBlob& blob, const RobotTrack& track,
+                  Candidate& candidate) {
+  double& heading = candidate.pose.heading_rad;
+  heading = track.pose().heading_rad;
+  candidate.heading_sigmas = 0.0;
+  if (!patch.is_elongated() || blob.elongation() <= 1.4) return;
+  heading += wrap_line(blob.axis_rad - patch.axis_rad - heading);
+  candidate.heading_sigmas = 3.0;
+}
 
 }  // namespace
 
@@ -44,7 +60,31 @@ void ClaimBuilder::build(const TagBlobs& blobs, std::span<const RobotTrack> trac
   if (parameters_.report_unknown) {
     for (int b = 0; b < static_cast<int>(blobs.all().size()); ++b) claim_team_patch_alone(b);
   }
+  keep_best();
   find_conflicts();
+}
+
+// Pairs of claims are looked at below, so that their number has to have an end.
+void ClaimBuilder::keep_best() {
+  is_cut_short_ = claims_.size() > kMaxClaims;
+  if (!is_cut_short_) return;
+  by_score_.resize(claims_.size());
+  std::iota(by_score_.begin(), by_score_.end(), 0);
+  const auto score_of = [&](int claim) { return scores_[static_cast<std::size_t>(claim)]; };
+  std::ranges::nth_element(by_score_, by_score_.begin() + kMaxClaims, [&](int a, int b) {
+    return score_of(a) != score_of(b) ? score_of(a) > score_of(b) : a < b;
+  });
+  by_score_.resize(kMaxClaims);
+  std::ranges::sort(by_score_);
+  for (std::size_t i = 0; i < kMaxClaims; ++i) {
+    const auto from = static_cast<std::size_t>(by_score_[i]);
+    claims_[i] = claims_[from];
+    scores_[i] = scores_[from];
+    groups_[i] = groups_[from];
+  }
+  claims_.resize(kMaxClaims);
+  scores_.resize(kMaxClaims);
+  groups_.resize(kMaxClaims);
 }
 
 void ClaimBuilder::add(int candidate, int id, int track, double score) {
@@ -149,8 +189,16 @@ void ClaimBuilder::claim_team_patch_alone(int b) {
 
 void ClaimBuilder::claim_team_patch_of(int t) {
   const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
-  const PatchModel& patch = layout_at(track.layout).team();
   if (track.missed_frames >= kMaxBlindFrames) return;
+  const LayoutModel& layout = layout_at(track.layout);
+  claim_team_blobs_of(t, layout.team(), parameters_.patch_min_area_ratio,
+                      parameters_.patch_max_area_ratio, 0.0);
+  claim_team_blobs_of(t, layout.whole, kMinWholeRatio, kMaxWholeRatio, kBlindCost);
+}
+
+void ClaimBuilder::claim_team_blobs_of(int t, const PatchModel& patch, double min_ratio,
+                                       double max_ratio, double cost) {
+  const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
   const Label label =
       track.team == Team::kBlue ? parameters_.blue_team_color : parameters_.yellow_team_color;
   const cv::Point2d offset_mm = track.heading_known ? patch.center_mm : cv::Point2d();
@@ -159,9 +207,9 @@ void ClaimBuilder::claim_team_patch_of(int t) {
   const auto [first, last] = blobs_->within_x(expected.x, gate);
   for (int b = first; b < last; ++b) {
     const MetricBlob& blob = blob_at(b);
-    const cv::Point2d off = blob.position_mm - expected;
-    if (blob.label != label || blob.is_half() || !blobs_->fits_area(patch, blob) ||
-        std::hypot(off.x, off.y) > gate) {
+    const double ratio = blob.area_mm2 / patch.area_mm2;
+    if (blob.label != label || blob.is_half() || ratio < min_ratio || ratio > max_ratio ||
+        length_of(blob.position_mm - expected) > gate) {
       continue;
     }
     Candidate candidate;
@@ -170,17 +218,12 @@ void ClaimBuilder::claim_team_patch_of(int t) {
     candidate.blobs[0] = b;
     candidate.found = 1;
     candidate.heading_known = track.heading_known;
-    candidate.pose.heading_rad = track.pose().heading_rad;
-    candidate.heading_sigmas = 0.0;
-    if (patch.is_elongated() && blob.elongation() > 1.4) {
-      candidate.pose.heading_rad +=
-          wrap_line(blob.axis_rad - patch.axis_rad - candidate.pose.heading_rad);
-      candidate.heading_sigmas = 3.0;
-    }
+    // One blob shows a line; the side of it the robot faces is the one it faced before.
+    turn_to_line(patch, blob, track, candidate);
     candidate.pose.position_mm = blob.position_mm;
     candidate.pose.position_mm -= candidate.pose.apply(offset_mm) - blob.position_mm;
     candidate.position_sigmas = 2.0;
-    candidate.score = kPatchScore - shape_cost(patch, blob, &candidate.pose.heading_rad);
+    candidate.score = kPatchScore - cost - shape_cost(patch, blob, &candidate.pose.heading_rad);
     candidates_->push_back(candidate);
     add(static_cast<int>(candidates_->size()) - 1, track.id, t,
         candidate.score + near_score(track, candidate));
@@ -203,7 +246,7 @@ void ClaimBuilder::claim_player_patches_of(int t) {
     for (int b = first; b < last; ++b) {
       const MetricBlob& blob = blob_at(b);
       const cv::Point2d off = blob.position_mm - expected;
-      const double distance = std::hypot(off.x, off.y);
+      const double distance = length_of(off);
       const auto& taken = candidate.blobs;
       if (blob.label != entry->colors[k - 1] || blob.is_half() || distance > nearest ||
           !blobs_->fits_area(layout.patches[k], blob) ||
@@ -229,14 +272,8 @@ void ClaimBuilder::claim_player_patches_of(int t) {
   } else {
     const PatchModel& patch = layout.patches[seen_patch];
     const MetricBlob& blob = blob_at(candidate.blobs[seen_patch]);
-    Pose& pose = candidate.pose;
-    pose.heading_rad = track.pose().heading_rad;
-    candidate.heading_sigmas = 0.0;
-    if (patch.is_elongated() && blob.elongation() > 1.4) {
-      pose.heading_rad += wrap_line(blob.axis_rad - patch.axis_rad - pose.heading_rad);
-      candidate.heading_sigmas = 3.0;
-    }
-    pose.position_mm = blob.position_mm - pose.apply(patch.center_mm);
+    turn_to_line(patch, blob, track, candidate);
+    candidate.pose.position_mm = blob.position_mm - candidate.pose.apply(patch.center_mm);
   }
   for (std::size_t k = 1; k < layout.patches.size(); ++k) {
     if (candidate.blobs[k] < 0) continue;
@@ -244,7 +281,7 @@ void ClaimBuilder::claim_player_patches_of(int t) {
     const cv::Point2d off = blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
     candidate.score += kPatchScore -
                        shape_cost(layout.patches[k], blob, &candidate.pose.heading_rad) -
-                       place_cost(std::hypot(off.x, off.y), parameters_.max_patch_error_mm);
+                       place_cost(length_of(off), parameters_.max_patch_error_mm);
   }
   candidates_->push_back(candidate);
   add(static_cast<int>(candidates_->size()) - 1, track.id, t,
@@ -253,13 +290,13 @@ void ClaimBuilder::claim_player_patches_of(int t) {
 
 double ClaimBuilder::distance_mm(const RobotTrack& track, const Candidate& candidate) const {
   const cv::Point2d off = candidate.pose.position_mm - track.pose().position_mm;
-  return std::hypot(off.x, off.y);
+  return length_of(off);
 }
 
 bool ClaimBuilder::is_gated(const RobotTrack& track, const Candidate& candidate) const {
   // As long as the heading is unknown the place may be off by as much as the team patch is.
   const cv::Point2d center = layout_at(track.layout).team().center_mm;
-  const double slack = track.heading_known ? 0.0 : std::hypot(center.x, center.y);
+  const double slack = track.heading_known ? 0.0 : length_of(center);
   return distance_mm(track, candidate) <= track.gate_mm(parameters_) + slack;
 }
 
@@ -285,14 +322,16 @@ bool ClaimBuilder::shows_colors_of(const RobotTrack& track, const Candidate& can
   return true;
 }
 
-bool ClaimBuilder::exclude_each_other(const Claim& a, const Claim& b) const {
+bool ClaimBuilder::exclude_each_other(const Claim& a, const Claim& b, double window_mm) const {
   const Candidate& first = (*candidates_)[static_cast<std::size_t>(a.candidate)];
   const Candidate& second = (*candidates_)[static_cast<std::size_t>(b.candidate)];
   const cv::Point2d apart = first.pose.position_mm - second.pose.position_mm;
   const double nearest =
       min_separation_mm(layout_at(first.layout), layout_at(second.layout));
   // The squares spare a std::hypot, which would be the dearest call of a frame.
-  if (apart.dot(apart) < nearest * nearest) return true;
+  const double squared = apart.dot(apart);
+  if (squared < nearest * nearest) return true;
+  if (squared > window_mm * window_mm) return false;
   for (const int i : first.blobs) {
     if (i < 0) continue;
     for (const int k : second.blobs) {
@@ -335,7 +374,7 @@ void ClaimBuilder::find_conflicts() {
     for (std::size_t k = i + 1; k < by_x_.size() && x_of(by_x_[k]) - x_of(by_x_[i]) <= window;
          ++k) {
       if (exclude_each_other(claims_[static_cast<std::size_t>(by_x_[i])],
-                             claims_[static_cast<std::size_t>(by_x_[k])])) {
+                             claims_[static_cast<std::size_t>(by_x_[k])], window)) {
         conflicts_.emplace_back(by_x_[i], by_x_[k]);
       }
     }

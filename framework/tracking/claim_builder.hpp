@@ -34,6 +34,8 @@ class ClaimBuilder {
   std::span<const double> scores() const { return scores_; }
   std::span<const int> groups() const { return groups_; }
   std::span<const std::pair<int, int>> conflicts() const { return conflicts_; }
+  /// Whether the last frame held so much noise that the poorest claims were left out.
+  bool is_cut_short() const { return is_cut_short_; }
 
  private:
   void add(int candidate, int id, int track, double score);
@@ -42,6 +44,8 @@ class ClaimBuilder {
   void claim_as_unknown(int candidate);
   void claim_team_patch_alone(int blob);
   void claim_team_patch_of(int track);
+  void claim_team_blobs_of(int track, const PatchModel& patch, double min_ratio, double max_ratio,
+                           double cost);
   void claim_player_patches_of(int track);
   double near_score(const RobotTrack& track, const Candidate& candidate) const;
   double distance_mm(const RobotTrack& track, const Candidate& candidate) const;
@@ -53,8 +57,10 @@ class ClaimBuilder {
   const LayoutModel& layout_at(int index) const {
     return layouts_[static_cast<std::size_t>(index)];
   }
+  void keep_best();
   void find_conflicts();
-  bool exclude_each_other(const Claim& a, const Claim& b) const;
+  /// @param window_mm robots farther apart than this share no blob.
+  bool exclude_each_other(const Claim& a, const Claim& b, double window_mm) const;
 
   const TrackingParameters& parameters_;
   std::span<const LayoutModel> layouts_;
@@ -66,8 +72,10 @@ class ClaimBuilder {
   std::vector<double> scores_;
   std::vector<int> groups_;
   std::vector<std::pair<int, int>> conflicts_;
+  std::vector<int> by_score_;
   std::vector<int> by_x_;
   std::vector<std::pair<int, int>> by_identity_;
+  bool is_cut_short_ = false;
 };
 
 }  // namespace maggic::tracking

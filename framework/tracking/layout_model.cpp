@@ -21,10 +21,38 @@ PatchModel model_of(const TagPatch& patch) {
   return model;
 }
 
+PatchModel union_of(const std::vector<TagPatch>& patches) {
+  PatchModel whole;
+  for (const TagPatch& patch : patches) {
+    const double area = patch.expected_area_mm2();
+    whole.area_mm2 += area;
+    whole.center_mm += area * patch.center_mm;
+  }
+  whole.center_mm /= whole.area_mm2;
+  cv::Point2d variance;
+  double covariance = 0.0;
+  for (const TagPatch& patch : patches) {
+    const double weight = patch.expected_area_mm2() / whole.area_mm2;
+    const double divisor = patch.shape == PatchShape::kDisc ? 16.0 : 12.0;
+    const cv::Point2d off = patch.center_mm - whole.center_mm;
+    variance.x += weight * (patch.size_mm.width * patch.size_mm.width / divisor + off.x * off.x);
+    variance.y += weight * (patch.size_mm.height * patch.size_mm.height / divisor + off.y * off.y);
+    covariance += weight * off.x * off.y;
+  }
+  const double mean = (variance.x + variance.y) / 2.0;
+  const double half = std::hypot((variance.x - variance.y) / 2.0, covariance);
+  whole.elongation = std::sqrt((mean + half) / std::max(mean - half, 1e-6));
+  whole.axis_rad = 0.5 * std::atan2(2.0 * covariance, variance.x - variance.y);
+  whole.variance_mm2 = 2.0 * mean;
+  return whole;
+}
+
 }  // namespace
 
 LayoutModel::LayoutModel(const TagLayout& layout)
-    : ids(layout.ids), heading_offset_rad(radians(layout.heading_offset_deg)) {
+    : ids(layout.ids),
+      whole(union_of(layout.patches)),
+      heading_offset_rad(radians(layout.heading_offset_deg)) {
   for (const PatchRole role : {PatchRole::kTeam, PatchRole::kPlayer}) {
     for (const TagPatch& patch : layout.patches) {
       if (patch.role != role) continue;

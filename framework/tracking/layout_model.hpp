@@ -24,6 +24,8 @@ struct LayoutModel {
 
   std::vector<PatchModel> patches;
   std::vector<TagId> ids;
+  /// All patches as one blob: what is seen when the team's colour swallows the player's.
+  PatchModel whole;
   double heading_offset_rad = 0.0;
   double half_extent_mm = 0.0;  ///< Half side of the square, round the centre, that holds the tag.
   double reach_mm = 0.0;        ///< Largest distance of a player patch from the team patch.

@@ -12,6 +12,7 @@ namespace {
 constexpr double kUnknownTurningRadS = 20.0;
 constexpr double kSurprise = 3.5;  // in standard deviations of the innovation
 constexpr double kShortestStepS = 1e-3;
+constexpr double kTurnLastsS = 0.1;
 
 struct Gain {
   double value;
@@ -100,6 +101,8 @@ void HeadingFilter::correct(double measured_rad, double noise_rad) {
   heading_rad_ = wrap_turn(heading_rad_ + gain.value * innovation);
   rate_rad_s_ += gain.rate * innovation;
 }
+
+void HeadingFilter::slow_down(double dt_s) { rate_rad_s_ *= std::exp(-dt_s / kTurnLastsS); }
 
 double HeadingFilter::sigma_rad() const { return std::sqrt(variance_.value); }
 

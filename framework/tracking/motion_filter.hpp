@@ -47,6 +47,9 @@ class HeadingFilter {
   void predict(double dt_s, double angular_acceleration_rad_s2);
   void correct(double measured_rad, double noise_rad);
 
+  /// Without measurements a robot is ever less likely to keep turning as it did.
+  void slow_down(double dt_s);
+
   double heading_rad() const { return heading_rad_; }
   double rate_rad_s() const { return rate_rad_s_; }
   double sigma_rad() const;

@@ -8,12 +8,16 @@ namespace {
 
 constexpr double kTravelSlackMm = 30.0;
 constexpr double kMaxGateMm = 150.0;
+// With a standard deviation beyond this a heading says nothing of front and back any more.
+constexpr double kLostHeadingRad = radians(60.0);
 
 }  // namespace
 
 void RobotTrack::predict(double dt_s, const TrackingParameters& parameters) {
   position.predict(dt_s, parameters.acceleration_mm_s2);
+  if (!heading_measured) heading.slow_down(dt_s);
   heading.predict(dt_s, parameters.angular_acceleration_rad_s2);
+  heading_measured = false;
   unseen_s += dt_s;
   candidate = -1;
 }
@@ -43,25 +47,38 @@ void RobotTrack::start(const Candidate& sighting, int claimed_id,
   heading.start(sighting.pose.heading_rad,
                 radians(parameters.heading_noise_deg) * std::max(1.0, sighting.heading_sigmas));
   heading_known = sighting.heading_known;
+  heading_measured = sighting.heading_sigmas > 0.0;
   seen_frames = 0;
   note_colors(sighting, claimed_id);
 }
 
 void RobotTrack::update(const Candidate& sighting, int claimed_id,
                         const TrackingParameters& parameters) {
-  if (sighting.heading_known && !heading_known) {
-    // Without the heading the place was the team patch's: not a motion that could be measured.
+  if (is_put_right_by(sighting)) {
+    // Without the right heading the place was off as well: not a motion that could be measured.
     const int seen = seen_frames;
+    const int agreeing = claimed_id == id ? agreeing_frames : 0;
     start(sighting, claimed_id, parameters);
     seen_frames = seen + 1;
+    agreeing_frames += agreeing;
     return;
   }
   position.correct(sighting.pose.position_mm,
                    parameters.position_noise_mm * sighting.position_sigmas);
   if (sighting.heading_sigmas > 0.0) {
     correct_heading(sighting, radians(parameters.heading_noise_deg) * sighting.heading_sigmas);
+  } else if (heading.sigma_rad() > kLostHeadingRad) {
+    heading_known = false;
   }
   note_colors(sighting, claimed_id);
+}
+
+bool RobotTrack::is_put_right_by(const Candidate& sighting) const {
+  if (!sighting.heading_known) return false;
+  if (!heading_known) return true;
+  // One patch takes its side from the track; several know it, and no robot turns about in a frame.
+  return sighting.found > 1 &&
+         std::abs(wrap_turn(sighting.pose.heading_rad - heading.heading_rad())) > kPi / 2.0;
 }
 
 void RobotTrack::correct_heading(const Candidate& sighting, double noise_rad) {
@@ -71,6 +88,7 @@ void RobotTrack::correct_heading(const Candidate& sighting, double noise_rad) {
     measured = now + wrap_line(measured - now);
   }
   heading.correct(measured, noise_rad);
+  heading_measured = true;
 }
 
 void RobotTrack::note_colors(const Candidate& sighting, int claimed_id) {

@@ -21,7 +21,8 @@ struct RobotTrack {
   int layout = 0;
   PositionFilter position;
   HeadingFilter heading;
-  bool heading_known = false;
+  bool heading_known = false;      ///< False: front and back cannot be told apart (any more).
+  bool heading_measured = false;   ///< In the last frame.
   double unseen_s = 0.0;    ///< Since the last sighting.
   int seen_frames = 0;
   int missed_frames = 0;    ///< In a row; 0 while seen.
@@ -46,6 +47,7 @@ struct RobotTrack {
   void update(const Candidate& sighting, int claimed_id, const TrackingParameters& parameters);
 
  private:
+  bool is_put_right_by(const Candidate& sighting) const;
   void correct_heading(const Candidate& sighting, double noise_rad);
   void note_colors(const Candidate& sighting, int claimed_id);
 };

@@ -14,6 +14,8 @@ constexpr double kBodyRimMm = 2.5;
 // A robot of unknown id that was hardly seen may have been noise: it is not carried on.
 constexpr int kProvenFrames = 3;
 constexpr std::size_t kUsualTracks = 64;
+// Of a robot whose front and back cannot be told apart.
+constexpr double kHeadlessConfidence = 0.3;
 
 }  // namespace
 
@@ -38,7 +40,10 @@ void RobotTracker::track(const TrackerInput& input, double dt_s) {
   const cv::Point2d limit_mm(field.length_mm / 2.0 + kFieldMarginMm,
                              field.width_mm / 2.0 + kFieldMarginMm);
   claims_.build(blobs_, tracks_, limit_mm, candidates_);
+  const std::uint64_t before = solver_.cut_short();
   solver_.solve(claims_.scores(), claims_.groups(), claims_.conflicts(), chosen_);
+  is_cut_short_ = blobs_.is_cut_short() || generator_.is_cut_short() || claims_.is_cut_short() ||
+                  solver_.cut_short() > before;
   continue_tracks();
   keep_unseen_tracks(limit_mm);
   std::swap(tracks_, next_);
@@ -71,6 +76,7 @@ void RobotTracker::continue_tracks() {
     }
     track.candidate = claim.candidate;
     track.confidence = rate(sighting, claim.id);
+    if (!track.heading_known) track.confidence = std::min(track.confidence, kHeadlessConfidence);
     track.player_colors.clear();
     for (int k = 1; sighting.found > 1 && k < static_cast<int>(kMaxPatches); ++k) {
       const int blob = sighting.blobs[static_cast<std::size_t>(k)];
@@ -95,7 +101,7 @@ int RobotTracker::motion_source(const Claim& claim) const {
       continue;
     }
     const cv::Point2d off = sighting.pose.position_mm - track.pose().position_mm;
-    const double distance = std::hypot(off.x, off.y);
+    const double distance = length_of(off);
     if (distance <= track.gate_mm(parameters_) && (nearest < 0 || distance < nearest_mm)) {
       nearest = t;
       nearest_mm = distance;
@@ -128,7 +134,7 @@ bool RobotTracker::overlaps_kept(const RobotTrack& track) const {
   const LayoutModel& layout = layouts_[static_cast<std::size_t>(track.layout)];
   return std::ranges::any_of(next_, [&](const RobotTrack& other) {
     const cv::Point2d apart = other.pose().position_mm - track.pose().position_mm;
-    return std::hypot(apart.x, apart.y) <
+    return length_of(apart) <
            min_separation_mm(layout, layouts_[static_cast<std::size_t>(other.layout)]);
   });
 }

@@ -26,6 +26,8 @@ class RobotTracker {
   void report(const TrackerInput& input, Detections& out);
 
   std::span<const RobotTrack> tracks() const { return tracks_; }
+  /// Whether the last frame held so much noise that the least likely robots were left out.
+  bool is_cut_short() const { return is_cut_short_; }
   /// Half side of the robot's body: its tag and a rim.
   double half_body_mm(const RobotTrack& track) const;
 
@@ -55,6 +57,7 @@ class RobotTracker {
   std::vector<char> taken_;    ///< Tracks that were continued.
   std::vector<RobotTrack> tracks_;
   std::vector<RobotTrack> next_;
+  bool is_cut_short_ = false;
 };
 
 }  // namespace maggic::tracking

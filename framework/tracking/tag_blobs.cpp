@@ -44,7 +44,8 @@ void TagBlobs::load(std::span<const Blob> blobs, const Field& field) {
   const auto by_area = [](const MetricBlob& a, const MetricBlob& b) {
     return a.area_mm2 != b.area_mm2 ? a.area_mm2 > b.area_mm2 : a.source < b.source;
   };
-  if (blobs_.size() > kMaxBlobs) {
+  is_cut_short_ = blobs_.size() > kMaxBlobs;
+  if (is_cut_short_) {
     std::ranges::nth_element(blobs_, blobs_.begin() + kMaxBlobs, by_area);
     blobs_.resize(kMaxBlobs);
   }

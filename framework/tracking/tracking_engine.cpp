@@ -41,8 +41,10 @@ std::vector<tracking::LayoutModel> models_of(const std::vector<TagLayout>& layou
 
 class TrackingEngine::Impl {
  public:
-  Impl(const TrackingParameters& parameters, const std::vector<TagLayout>& layouts)
+  Impl(const TrackingParameters& parameters, const std::vector<TagLayout>& layouts,
+       Reporter* reporter)
       : parameters_(parameters),
+        reporter_(reporter),
         layouts_(models_of(layouts)),
         robots_(parameters_, layouts_),
         ball_(parameters_) {}
@@ -53,6 +55,11 @@ class TrackingEngine::Impl {
     out.captured = input.captured;
     const double dt_s = step_to(input.captured);
     robots_.track(input, dt_s);
+    if (reporter_ && robots_.is_cut_short()) {
+      reporter_->warn(
+          "a frame held more blobs in tag colours than can all be tried as robots; the least "
+          "likely were left out. Narrower colours or a larger blobs.min_area_mm2 make it cleaner");
+    }
     bodies_.clear();
     for (const tracking::RobotTrack& robot : robots_.tracks()) {
       if (robot.missed_frames > 0) continue;
@@ -76,6 +83,7 @@ class TrackingEngine::Impl {
   }
 
   TrackingParameters parameters_;
+  Reporter* reporter_;
   std::vector<tracking::LayoutModel> layouts_;
   tracking::RobotTracker robots_;
   tracking::BallTracker ball_;
@@ -85,8 +93,8 @@ class TrackingEngine::Impl {
 };
 
 TrackingEngine::TrackingEngine(const TrackingParameters& parameters,
-                               std::vector<TagLayout> layouts)
-    : impl_(std::make_unique<Impl>(parameters, layouts)) {}
+                               std::vector<TagLayout> layouts, Reporter* reporter)
+    : impl_(std::make_unique<Impl>(parameters, layouts, reporter)) {}
 
 TrackingEngine::~TrackingEngine() = default;
 

@@ -46,7 +46,9 @@ class TrackingEngine {
  public:
   /// @param layouts at least one; ids may overlap between layouts: then the id still occurs once
   ///   a team.
-  TrackingEngine(const TrackingParameters& parameters, std::vector<TagLayout> layouts);
+  /// @param reporter told when a frame is so noisy that it was not searched in full; may be null.
+  TrackingEngine(const TrackingParameters& parameters, std::vector<TagLayout> layouts,
+                 Reporter* reporter = nullptr);
   ~TrackingEngine();
 
   /// Tracker's contract; see tracker.hpp.

@@ -62,10 +62,10 @@ class TagLayoutTracker final : public Tracker {
     parameters_.describe(p);
   }
 
-  void prepare(const StageContext& /*context*/) override {
+  void prepare(const StageContext& context) override {
     std::vector<TagLayout> layouts;
     for (const Pattern& pattern : patterns_) layouts.push_back(pattern.layout);
-    engine_.emplace(parameters_, layouts);
+    engine_.emplace(parameters_, layouts, &context.reporter);
   }
 
   void track(const TrackerInput& input, Detections& out) override { engine_->track(input, out); }

@@ -45,7 +45,7 @@ class ThreeTag final : public Tracker {
 
   void prepare(const StageContext& context) override {
     layout_.patches = three_tag_layout(context.palette, tag_size_mm_, square_size_mm_).patches;
-    engine_.emplace(parameters_, std::vector{layout_});
+    engine_.emplace(parameters_, std::vector{layout_}, &context.reporter);
   }
 
   void track(const TrackerInput& input, Detections& out) override { engine_->track(input, out); }

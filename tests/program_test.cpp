@@ -69,6 +69,14 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+/// Until a running program has written so many lines.
+void wait_for_lines(const std::string& file, std::size_t count) {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (lines_of(text_of(file)).size() < count && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
 TEST_F(ProgramTest, RunsAPipelineToItsFrameLimitAndSumsUp) {
   const std::string output = folder_.file("out.jsonl");
   const auto result = maggic({"run", pipeline_, "--frames", "20", "--output", output});
@@ -116,10 +124,7 @@ TEST_F(ProgramTest, JsonLinesOnStandardOutputStandAlone) {
 TEST_F(ProgramTest, CtrlCEndsTheRunWithCompleteOutputs) {
   const std::string output = folder_.file("out.jsonl");
   Program program(folder_.path(), {"run", pipeline_, "--output", output});
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (lines_of(text_of(output)).size() < 5 && std::chrono::steady_clock::now() < give_up) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  wait_for_lines(output, 5);
   program.send(SIGINT);
   const ProgramResult result = program.wait();
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -131,6 +136,41 @@ TEST_F(ProgramTest, CtrlCEndsTheRunWithCompleteOutputs) {
     EXPECT_THAT(lines[i], EndsWith("}"));
   }
   EXPECT_THAT(result.out, HasSubstr(std::to_string(lines.size()) + " frames in"));
+}
+
+TEST_F(ProgramTest, AHangUpEndsTheRunInOrderToo) {
+  const std::string output = folder_.file("out.jsonl");
+  Program program(folder_.path(), {"run", pipeline_, "--output", output});
+  wait_for_lines(output, 5);
+  program.send(SIGHUP);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string text = text_of(output);
+  EXPECT_THAT(text, EndsWith("}\n"));
+  EXPECT_THAT(result.out, HasSubstr(std::to_string(lines_of(text).size()) + " frames in"));
+}
+
+TEST_F(ProgramTest, CtrlCLeavesAPlayableVideo) {
+  const std::string output = folder_.file("out.jsonl");
+  const std::string video = folder_.file("o.mp4");
+  Program program(folder_.path(), {"run", pipeline_, "--output", output, "--video", video});
+  wait_for_lines(output, 5);
+  program.send(SIGINT);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(text_of(video), HasSubstr("moov")) << "the index, written last: no player does "
+                                                    "without it";
+}
+
+TEST_F(ProgramTest, ARunNeedsItsPipelineFileOnlyToBegin) {
+  const std::string output = folder_.file("out.jsonl");
+  Program program(folder_.path(), {"run", pipeline_, "--output", output});
+  wait_for_lines(output, 5);
+  std::filesystem::remove(pipeline_);
+  program.send(SIGINT);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("frames in"));
 }
 
 TEST_F(ProgramTest, AFullDiskIsReportedTheRunGoesOnAndTheExitCodeIsOne) {

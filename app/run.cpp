@@ -122,8 +122,7 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
 
   end_on_signals();
   try {
-    return run_and_report(built, options, stdout_taken ? stderr : stdout, console,
-                          reporter);
+    return run_and_report(built, options, stdout_taken ? stderr : stdout, console, reporter);
   } catch (const std::exception& error) {
     console.line(error.what(), Console::Tone::kError, "error: ");
     return kFailed;

@@ -28,9 +28,10 @@ void expect_below(const cv::Mat& labels, std::size_t palette_size) {
   double highest = 0.0;
   cv::minMaxLoc(labels, nullptr, &highest);
   if (highest < static_cast<double>(palette_size)) return;
-  throw std::runtime_error(fmt::format("it gave the label {}, expected a label below the "
-                                       "palette's size {}",
-                                       highest, palette_size));
+  throw std::runtime_error(
+      fmt::format("it gave the label {}, expected a label below the "
+                  "palette's size {}",
+                  highest, palette_size));
 }
 
 }  // namespace

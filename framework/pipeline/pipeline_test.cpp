@@ -90,7 +90,8 @@ TEST(Pipeline, ASkippedFrameHoldsNothingOfTheLastOne) {
 }
 
 /// What `process` says of a picture of 640×480 with these stages; empty when nothing.
-std::string complaint(std::unique_ptr<Normalizer> normalizer, std::unique_ptr<Segmenter> segmenter) {
+std::string complaint(std::unique_ptr<Normalizer> normalizer,
+                      std::unique_ptr<Segmenter> segmenter) {
   testing::RecordingReporter reporter;
   PipelineParts parts;
   parts.palette = Palette::standard();
@@ -170,7 +171,8 @@ TEST(Pipeline, ALabelBeyondThePaletteIsRefused) {
   EXPECT_EQ(complaint_of_segmenter(with_label(size - 1)), "");
   EXPECT_EQ(complaint_of_segmenter(with_label(size)),
             fmt::format("segmenter 'x' failed at frame 12: it gave the label {}, expected a label "
-                        "below the palette's size {}", size, size));
+                        "below the palette's size {}",
+                        size, size));
 }
 
 TEST(Pipeline, ARefusedPictureDoesNotHarmTheNextFrame) {
@@ -179,11 +181,11 @@ TEST(Pipeline, ARefusedPictureDoesNotHarmTheNextFrame) {
   PipelineParts parts;
   parts.palette = Palette::standard();
   parts.normalizer = fakes::named<Normalizer>("same", std::make_unique<fakes::SameNormalizer>());
-  parts.segmenter = fakes::named<Segmenter>(
-      "x", std::make_unique<HookSegmenter>([&](cv::Mat& labels) {
-        labels.setTo(0);
-        if (++calls == 1) labels = cv::Mat::zeros(3, 3, CV_8UC1);
-      }));
+  parts.segmenter =
+      fakes::named<Segmenter>("x", std::make_unique<HookSegmenter>([&](cv::Mat& labels) {
+                                labels.setTo(0);
+                                if (++calls == 1) labels = cv::Mat::zeros(3, 3, CV_8UC1);
+                              }));
   parts.tracker = fakes::named<Tracker>("hook", std::make_unique<fakes::HookTracker>());
   Pipeline pipeline(std::move(parts), reporter);
   FrameResult result;

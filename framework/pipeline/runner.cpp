@@ -77,8 +77,7 @@ RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomi
   const RunInfo info{built.pipeline->palette(), summary.source};
   std::vector<std::unique_ptr<SinkThread>> sinks;
   for (NamedStage<Sink>& sink : built.sinks) {
-    sinks.push_back(
-        std::make_unique<SinkThread>(sink, info, options.sink_queue_frames, reporter));
+    sinks.push_back(std::make_unique<SinkThread>(sink, info, options.sink_queue_frames, reporter));
   }
 
   {

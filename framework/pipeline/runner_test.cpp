@@ -223,10 +223,10 @@ TEST(RunTrouble, UnusableFramesAreSkippedAndCounted) {
 TEST(RunTrouble, StoppingClosesTheSinks) {
   Rig rig(1'000'000);
   std::atomic<bool> stop{false};
-  const RunSummary summary = run(rig.built, {}, stop, rig.reporter,
-                                 [&](const FrameResult& result, const RunSummary&) {
-                                   if (result.frame.sequence == 20) stop = true;
-                                 });
+  const RunSummary summary =
+      run(rig.built, {}, stop, rig.reporter, [&](const FrameResult& result, const RunSummary&) {
+        if (result.frame.sequence == 20) stop = true;
+      });
   EXPECT_EQ(summary.processed, 21u);
   EXPECT_TRUE(rig.sinks[0]->closed);
   EXPECT_EQ(rig.sinks[0]->sequences, first(21));

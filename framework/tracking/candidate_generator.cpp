@@ -43,8 +43,8 @@ void CandidateGenerator::generate(const TagBlobs& blobs, std::vector<Candidate>&
   const int team_blobs = static_cast<int>(std::ranges::count_if(
       all, [&](const MetricBlob& blob) { return blobs.is_team_color(blob.label); }));
   if (team_blobs == 0) return;
-  const auto most = static_cast<std::ptrdiff_t>(
-      std::clamp(kMaxPerFrame / team_blobs, 4, kMaxPerTeamBlob));
+  const auto most =
+      static_cast<std::ptrdiff_t>(std::clamp(kMaxPerFrame / team_blobs, 4, kMaxPerTeamBlob));
   const int tries = std::min(kMaxTriesPerFrame / team_blobs, kMaxTriesPerTeamBlob);
   for (int b = 0; b < static_cast<int>(all.size()); ++b) {
     const MetricBlob& blob = all[static_cast<std::size_t>(b)];
@@ -128,8 +128,8 @@ void CandidateGenerator::extend(const TagBlobs& blobs, Candidate& partial, int p
   if (patch - partial.found < layout.max_missing) extend(blobs, partial, patch + 1, candidates);
 }
 
-bool CandidateGenerator::keeps_distances(const TagBlobs& blobs, const Candidate& partial,
-                                         int patch, const MetricBlob& blob) const {
+bool CandidateGenerator::keeps_distances(const TagBlobs& blobs, const Candidate& partial, int patch,
+                                         const MetricBlob& blob) const {
   const LayoutModel& layout = layouts_[static_cast<std::size_t>(partial.layout)];
   // The distance from the team patch, number 0, has been looked at once and for all.
   for (int k = 1; k < patch; ++k) {
@@ -198,8 +198,7 @@ bool CandidateGenerator::fit(const TagBlobs& blobs, Candidate& candidate) const 
       continue;
     }
     const MetricBlob& blob = *blob_of(k);
-    const cv::Point2d off =
-        blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
+    const cv::Point2d off = blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
     const double error = length_of(off);
     if (error > max_error) return false;
     candidate.score += blob.is_half() ? kHalfPatchScore : kPatchScore;

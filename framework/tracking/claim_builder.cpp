@@ -326,8 +326,7 @@ bool ClaimBuilder::exclude_each_other(const Claim& a, const Claim& b, double win
   const Candidate& first = (*candidates_)[static_cast<std::size_t>(a.candidate)];
   const Candidate& second = (*candidates_)[static_cast<std::size_t>(b.candidate)];
   const cv::Point2d apart = first.pose.position_mm - second.pose.position_mm;
-  const double nearest =
-      min_separation_mm(layout_at(first.layout), layout_at(second.layout));
+  const double nearest = min_separation_mm(layout_at(first.layout), layout_at(second.layout));
   // The squares spare a std::hypot, which would be the dearest call of a frame.
   const double squared = apart.dot(apart);
   if (squared < nearest * nearest) return true;
@@ -361,14 +360,13 @@ void ClaimBuilder::find_conflicts() {
     }
   }
   const auto x_of = [&](int claim) { return candidate_of(claim).pose.position_mm.x; };
-  std::ranges::sort(by_x_, [&](int a, int b) {
-    return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a < b;
-  });
+  std::ranges::sort(by_x_,
+                    [&](int a, int b) { return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a < b; });
   double window = 0.0;
   for (const LayoutModel& layout : layouts_) {
     // Robots that share a blob are at most two patch radii apart.
-    window = std::max(window, 2.0 * (1.5 * layout.half_extent_mm +
-                                     2.0 * parameters_.max_patch_error_mm));
+    window = std::max(window,
+                      2.0 * (1.5 * layout.half_extent_mm + 2.0 * parameters_.max_patch_error_mm));
   }
   for (std::size_t i = 0; i < by_x_.size(); ++i) {
     for (std::size_t k = i + 1; k < by_x_.size() && x_of(by_x_[k]) - x_of(by_x_[i]) <= window;

@@ -71,8 +71,7 @@ TEST_F(IdentityTest, ATeamTagAloneKeepsTheSideARobotFacesThroughWholeTurns) {
     const Detections& out = camera.look_at(scene_);
     ASSERT_EQ(out.robots.size(), 1u);
     ASSERT_EQ(out.robots[0].id, 2);
-    ASSERT_NEAR(wrap_turn(out.robots[0].heading_rad - turned().heading_rad), 0.0,
-                radians(5));
+    ASSERT_NEAR(wrap_turn(out.robots[0].heading_rad - turned().heading_rad), 0.0, radians(5));
   }
 }
 

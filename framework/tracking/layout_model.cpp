@@ -57,9 +57,9 @@ LayoutModel::LayoutModel(const TagLayout& layout)
     for (const TagPatch& patch : layout.patches) {
       if (patch.role != role) continue;
       patches.push_back(model_of(patch));
-      half_extent_mm = std::max({half_extent_mm,
-                                 std::abs(patch.center_mm.x) + patch.size_mm.width / 2.0,
-                                 std::abs(patch.center_mm.y) + patch.size_mm.height / 2.0});
+      half_extent_mm =
+          std::max({half_extent_mm, std::abs(patch.center_mm.x) + patch.size_mm.width / 2.0,
+                    std::abs(patch.center_mm.y) + patch.size_mm.height / 2.0});
       const cv::Point2d from_team = patch.center_mm - patches.front().center_mm;
       reach_mm = std::max(reach_mm, std::hypot(from_team.x, from_team.y));
     }

@@ -10,9 +10,9 @@ namespace maggic::tracking {
 struct PatchModel {
   cv::Point2d center_mm;
   double area_mm2 = 0.0;
-  double elongation = 1.0;     ///< Length over width, at least 1.
-  double axis_rad = 0.0;       ///< Robot-frame direction of the longer side.
-  double variance_mm2 = 0.0;   ///< Sum of the variances along both sides.
+  double elongation = 1.0;    ///< Length over width, at least 1.
+  double axis_rad = 0.0;      ///< Robot-frame direction of the longer side.
+  double variance_mm2 = 0.0;  ///< Sum of the variances along both sides.
 
   /// Long enough to tell the heading's line from its second moments.
   bool is_elongated() const { return elongation > 1.4; }

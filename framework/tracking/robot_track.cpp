@@ -41,8 +41,7 @@ bool RobotTrack::is_refuted_by(int color_id) const {
 void RobotTrack::start(const Candidate& sighting, int claimed_id,
                        const TrackingParameters& parameters) {
   team = sighting.team;
-  position.start(sighting.pose.position_mm,
-                 parameters.position_noise_mm * sighting.position_sigmas,
+  position.start(sighting.pose.position_mm, parameters.position_noise_mm * sighting.position_sigmas,
                  parameters.max_speed_mm_s);
   heading.start(sighting.pose.heading_rad,
                 radians(parameters.heading_noise_deg) * std::max(1.0, sighting.heading_sigmas));

@@ -21,12 +21,12 @@ struct RobotTrack {
   int layout = 0;
   PositionFilter position;
   HeadingFilter heading;
-  bool heading_known = false;      ///< False: front and back cannot be told apart (any more).
-  bool heading_measured = false;   ///< In the last frame.
-  double unseen_s = 0.0;    ///< Since the last sighting.
+  bool heading_known = false;     ///< False: front and back cannot be told apart (any more).
+  bool heading_measured = false;  ///< In the last frame.
+  double unseen_s = 0.0;          ///< Since the last sighting.
   int seen_frames = 0;
-  int missed_frames = 0;    ///< In a row; 0 while seen.
-  int agreeing_frames = 0;  ///< Frames whose colours named this id.
+  int missed_frames = 0;         ///< In a row; 0 while seen.
+  int agreeing_frames = 0;       ///< Frames whose colours named this id.
   int contrary_id = kUnknownId;  ///< What the colours said instead in the last frames …
   int contrary_frames = 0;       ///< … and in how many of them, in a row.
   double confidence = 0.0;       ///< When last seen.

@@ -53,8 +53,8 @@ class RobotTracker {
   AssignmentSolver solver_;
   std::vector<Candidate> candidates_;
   std::vector<int> chosen_;
-  std::vector<int> sources_;   ///< Track each chosen claim continues; -1: none.
-  std::vector<char> taken_;    ///< Tracks that were continued.
+  std::vector<int> sources_;  ///< Track each chosen claim continues; -1: none.
+  std::vector<char> taken_;   ///< Tracks that were continued.
   std::vector<RobotTrack> tracks_;
   std::vector<RobotTrack> next_;
   bool is_cut_short_ = false;

@@ -20,8 +20,9 @@ TagBlobs::TagBlobs(const TrackingParameters& parameters, std::span<const LayoutM
   for (const LayoutModel& layout : layouts) {
     for (const PatchModel& patch : layout.patches) {
       min_area_mm2_ = std::min(min_area_mm2_, patch.area_mm2 * parameters.patch_min_area_ratio);
-      max_area_mm2_ = std::max(max_area_mm2_, patch.area_mm2 * std::max(kMergedMaxRatio,
-                                                                parameters.patch_max_area_ratio));
+      max_area_mm2_ =
+          std::max(max_area_mm2_,
+                   patch.area_mm2 * std::max(kMergedMaxRatio, parameters.patch_max_area_ratio));
     }
     for (const TagId& entry : layout.ids) {
       for (const Label color : entry.colors) listed_[color] = true;

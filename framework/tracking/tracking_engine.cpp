@@ -92,8 +92,8 @@ class TrackingEngine::Impl {
   Timestamp last_{0};
 };
 
-TrackingEngine::TrackingEngine(const TrackingParameters& parameters,
-                               std::vector<TagLayout> layouts, Reporter* reporter)
+TrackingEngine::TrackingEngine(const TrackingParameters& parameters, std::vector<TagLayout> layouts,
+                               Reporter* reporter)
     : impl_(std::make_unique<Impl>(parameters, layouts, reporter)) {}
 
 TrackingEngine::~TrackingEngine() = default;

@@ -49,8 +49,8 @@ std::vector<Placed> random_robots(Dice& dice, const std::vector<TagLayout>& layo
   for (const Team team : {Team::kBlue, Team::kYellow}) {
     std::vector<int> used;
     for (int i = 0; i < a_team; ++i) {
-      const TagLayout& layout = layouts[static_cast<std::size_t>(
-          dice.below(static_cast<int>(layouts.size())))];
+      const TagLayout& layout =
+          layouts[static_cast<std::size_t>(dice.below(static_cast<int>(layouts.size())))];
       const int id =
           layout.ids[static_cast<std::size_t>(dice.below(static_cast<int>(layout.ids.size())))].id;
       if (std::ranges::count(used, id) > 0) continue;
@@ -201,9 +201,9 @@ TEST(MatchingTest, RobotsAreOrderedByTeamThenIdThenUnknown) {
   Camera camera({layout});
   std::vector<std::pair<Team, int>> order;
   for (const RobotDetection& r : camera.look_at(scene).robots) order.emplace_back(r.team, r.id);
-  EXPECT_THAT(order, testing::ElementsAre(
-                         std::pair(Team::kBlue, 0), std::pair(Team::kBlue, 2),
-                         std::pair(Team::kYellow, 3), std::pair(Team::kYellow, kUnknownId)));
+  EXPECT_THAT(order, testing::ElementsAre(std::pair(Team::kBlue, 0), std::pair(Team::kBlue, 2),
+                                          std::pair(Team::kYellow, 3),
+                                          std::pair(Team::kYellow, kUnknownId)));
 }
 
 TEST(MatchingTest, RobotsSideBySideFaceToFaceAndNoseToTailAreNotCrossed) {
@@ -294,12 +294,12 @@ TEST(MatchingTest, UnknownRobotsCanBeLeftOut) {
 TEST(MatchingTest, BlobsOfTeamColorThatAreNoTagAreNoRobots) {
   Scene scene;
   const Label yellow = color("yellow");
-  scene.add(yellow, {-600, 0}, 75.0, {300, 12}, 0.4, 3600);     // a line
-  scene.add(yellow, {-300, 0}, 75.0, {50, 50}, 0.0, 2500);      // a square
-  scene.add(yellow, {0, 0}, 75.0, {120, 110}, 0.2, 13000);      // a shirt
-  scene.add(yellow, {300, 0}, 75.0, {10, 20}, 0.2, 200);        // a speck
-  scene.add(yellow, {500, 300}, 75.0, {35, 70}, 0.2, 1300);     // a lace of pixels
-  scene.add(yellow, {-100, -790}, 75.0, {35, 70}, 0.2, 2450);   // beside the field
+  scene.add(yellow, {-600, 0}, 75.0, {300, 12}, 0.4, 3600);    // a line
+  scene.add(yellow, {-300, 0}, 75.0, {50, 50}, 0.0, 2500);     // a square
+  scene.add(yellow, {0, 0}, 75.0, {120, 110}, 0.2, 13000);     // a shirt
+  scene.add(yellow, {300, 0}, 75.0, {10, 20}, 0.2, 200);       // a speck
+  scene.add(yellow, {500, 300}, 75.0, {35, 70}, 0.2, 1300);    // a lace of pixels
+  scene.add(yellow, {-100, -790}, 75.0, {35, 70}, 0.2, 2450);  // beside the field
   Camera camera({two_tags()});
   EXPECT_TRUE(camera.look_at(scene).robots.empty());
 }
@@ -327,8 +327,11 @@ class NoiseTest : public testing::Test {
     TagLayout layout{"ring", {}, {}, 0.0};
     for (int i = 0; i < 8; ++i) {
       const double angle = kPi / 4.0 * i + (i == 1 ? 0.15 : 0.0);
-      layout.patches.push_back({i == 0 ? PatchRole::kTeam : PatchRole::kPlayer, PatchShape::kDisc,
-                                {40 * std::cos(angle), 40 * std::sin(angle)}, {20, 20}, 0});
+      layout.patches.push_back({i == 0 ? PatchRole::kTeam : PatchRole::kPlayer,
+                                PatchShape::kDisc,
+                                {40 * std::cos(angle), 40 * std::sin(angle)},
+                                {20, 20},
+                                0});
     }
     const auto [r, g, c] = std::tuple(color("red"), color("green"), color("cyan"));
     layout.ids = {{0, {r, g, c, r, g, c, r}}, {1, {g, g, c, c, r, r, g}}};
@@ -350,8 +353,9 @@ class NoiseTest : public testing::Test {
     TrackingEngine engine(standard_parameters(), {layout}, &warnings_);
     const std::clock_t begin = std::clock();
     for (int i = 0; i < frames; ++i) {
-      engine.track({static_cast<std::uint64_t>(i), Timestamp(i * 16'666'667), scene.blobs(),
-                    scene.field()}, out_);
+      engine.track(
+          {static_cast<std::uint64_t>(i), Timestamp(i * 16'666'667), scene.blobs(), scene.field()},
+          out_);
     }
     return 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / frames;
   }

@@ -242,7 +242,7 @@ TEST_F(PipelineBuilder, ReplacesTheSourceOrAddsToItsParameters) {
 
 TEST_F(PipelineBuilder, AddsSinksToThePipelines) {
   PipelineRequest r = request(std::string(kPipeline) + "sinks: [jsonl]\n");
-  r.extra_sinks = {parse_document("{jsonl: {path: a}}", "--output")};
+  r.extra_sinks.push_back(parse_document("{jsonl: {path: a}}", "--output"));
   EXPECT_EQ(merged(r, "sinks"), "-\n  jsonl: ~\n-\n  jsonl:\n    path: a\n");
 }
 

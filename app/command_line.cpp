@@ -2,8 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <sstream>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -25,18 +34,71 @@ void add_pipeline_options(CLI::App& command, PipelineOptions& options) {
       ->allow_extra_args(false);
 }
 
-/// CLI11 calls a mistyped command "not expected"; say what would have been.
-std::string wrong_command_text(std::span<const char* const> arguments) {
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string_view word = arguments[i];
-    if (word == "--plugin-path") {
-      ++i;
-    } else if (!word.starts_with('-')) {
-      if (std::ranges::find(kCommands, word) != kCommands.end()) return {};
-      return fmt::format("unknown command '{}' (known: {})\n", word, fmt::join(kCommands, ", "));
+/// CLI11's own range check prints the largest double in full. This one also rewrites the number in
+/// plain decimals, because CLI11 would read 010 as octal.
+template <class Number>
+CLI::Validator above_zero(std::string_view expected) {
+  return CLI::Validator(
+      [expected](std::string& text) -> std::string {
+        Number number{};
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        const bool is_usable = error == std::errc() && stop == end && number > Number{0} &&
+                               number <= std::numeric_limits<Number>::max();
+        if (!is_usable) return fmt::format("found '{}', expected {}", text, expected);
+        text = fmt::format("{}", number);
+        return {};
+      },
+      "ABOVE 0");
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, diagonal + 1, replaced});
     }
   }
-  return {};
+  return row.back();
+}
+
+/// ", did you mean 'word'?", or nothing where no known word is near.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t kLongest = 64;
+  if (known.empty() || word.size() > kLongest) return {};
+  const auto distance = [word](const std::string& other) { return edit_distance(word, other); };
+  const std::string& nearest = *std::ranges::min_element(known, {}, distance);
+  // Two neighbours swapped, the commonest slip, are two edits; more in a short word is another one.
+  const std::size_t most = std::max<std::size_t>(2, word.size() / 3);
+  if (distance(nearest) > most || distance(nearest) + 1 >= word.size()) return {};
+  return fmt::format(", did you mean '{}'?", nearest);
+}
+
+/// CLI11 calls a mistyped command or option "not expected"; say what would have been.
+std::string unknown_word_text(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining(true);
+  if (left.empty()) return {};
+  const std::vector<CLI::App*> commands = app.get_subcommands();
+  if (left.front().starts_with('-')) {
+    const std::string name = left.front().substr(0, left.front().find('='));
+    std::vector<std::string> known;
+    const auto add_options_of = [&known](const CLI::App& owner) {
+      for (const CLI::Option* option : owner.get_options()) {
+        for (const std::string& word : option->get_lnames()) known.push_back("--" + word);
+      }
+    };
+    add_options_of(app);
+    for (const CLI::App* command : commands) add_options_of(*command);
+    return fmt::format("unknown option '{}'{}\n", name, suggestion(name, known));
+  }
+  if (!commands.empty()) return {};
+  const std::vector<std::string> known(kCommands.begin(), kCommands.end());
+  return fmt::format("unknown command '{}'{} (known: {})\n", left.front(),
+                     suggestion(left.front(), known), fmt::join(known, ", "));
 }
 
 }  // namespace
@@ -59,10 +121,10 @@ std::variant<CommandLine, EarlyEnd> parse_command_line(std::span<const char* con
   run_app->add_option("pipeline", run.pipeline.pipeline, "Pipeline file or name")->required();
   add_pipeline_options(*run_app, run.pipeline);
   run_app->add_option("--frames", run.frames, "End after so many frames")
-      ->check(CLI::PositiveNumber);
+      ->transform(above_zero<std::uint64_t>("a whole number above 0"));
   run_app
       ->add_option("--duration", run.duration_s, "End after so many seconds of the source's time")
-      ->check(CLI::PositiveNumber);
+      ->transform(above_zero<double>("a number of seconds above 0"));
   run_app->add_option("--output", run.output, "Write JSON Lines here ('-': standard output)");
   run_app->add_option("--video", run.video, "Write an annotated video here (.mp4)");
   run_app->add_flag("--realtime", run.realtime, "Play a recording at its own pace, as if live");
@@ -99,7 +161,7 @@ std::variant<CommandLine, EarlyEnd> parse_command_line(std::span<const char* con
     app.exit(asked_for, out, none);
     return EarlyEnd{kFine, out.str()};
   } catch (const CLI::ParseError& error) {
-    std::string text = wrong_command_text(arguments);
+    std::string text = unknown_word_text(app);
     if (text.empty()) text = fmt::format("{}\n", error.what());
     return EarlyEnd{kMistake, fmt::format("{}Run 'maggic --help' for how it is used.\n", text)};
   }

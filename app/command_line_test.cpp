@@ -1,5 +1,8 @@
 #include "app/command_line.hpp"
 
+#include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -86,7 +89,43 @@ TEST(CommandLine, AMistypedCommandIsAnsweredWithTheKnownOnes) {
   const auto& end = std::get<EarlyEnd>(parsed);
   EXPECT_EQ(end.code, kMistake);
   EXPECT_THAT(end.text,
-              HasSubstr("unknown command 'rnu' (known: run, check, plugins, describe, new)"));
+              HasSubstr("unknown command 'rnu', did you mean 'run'? "
+                        "(known: run, check, plugins, describe, new)"));
+}
+
+std::string mistake_text(std::vector<const char*> arguments) {
+  const auto parsed = parse(std::move(arguments));
+  if (!std::holds_alternative<EarlyEnd>(parsed)) return "no mistake";
+  EXPECT_EQ(std::get<EarlyEnd>(parsed).code, kMistake);
+  const std::string& text = std::get<EarlyEnd>(parsed).text;
+  return text.substr(0, text.find('\n'));
+}
+
+TEST(CommandLine, SuggestsTheNearestOptionAndCommand) {
+  EXPECT_EQ(mistake_text({"run", "a", "--frame", "3"}),
+            "unknown option '--frame', did you mean '--frames'?");
+  EXPECT_EQ(mistake_text({"run", "--sorce=0"}),
+            "unknown option '--sorce', did you mean '--source'?");
+  EXPECT_EQ(mistake_text({"--plugn-path", "x", "plugins"}),
+            "unknown option '--plugn-path', did you mean '--plugin-path'?");
+  EXPECT_EQ(mistake_text({"run", "a", "-x"}), "unknown option '-x'");
+  EXPECT_EQ(mistake_text({"run", "a", "--colour-table"}), "unknown option '--colour-table'");
+  EXPECT_THAT(mistake_text({"chekc", "a"}), HasSubstr("'chekc', did you mean 'check'?"));
+  EXPECT_THAT(mistake_text({"benchmark"}), HasSubstr("unknown command 'benchmark' (known:"));
+}
+
+TEST(CommandLine, SaysWhichNumbersEndARun) {
+  for (const std::string found :
+       {"abc", "-5", "0", "3.5", "5x", "", "0x10", "99999999999999999999"}) {
+    EXPECT_EQ(mistake_text({"run", "a", "--frames", found.c_str()}),
+              "--frames: found '" + found + "', expected a whole number above 0");
+  }
+  for (const std::string found : {"x", "-1", "0", "inf", "nan", "1e999"}) {
+    EXPECT_EQ(mistake_text({"run", "a", "--duration", found.c_str()}),
+              "--duration: found '" + found + "', expected a number of seconds above 0");
+  }
+  EXPECT_EQ(command<RunOptionsGiven>({"run", "a", "--frames", "010"}).frames, 10U);
+  EXPECT_EQ(command<RunOptionsGiven>({"run", "a", "--duration", "1e-3"}).duration_s, 0.001);
 }
 
 TEST(CommandLine, NamesWhatIsMissingOrWrong) {

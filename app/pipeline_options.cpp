@@ -31,6 +31,55 @@ std::vector<std::string> names_in(const std::vector<fs::path>& folders) {
   return names;
 }
 
+constexpr std::string_view kStandardOutput = "-";
+
+/// The `path` of the one plugin in `stage`, if it has one.
+const Node* path_of(const Node& stage) {
+  for (const Node::Entry& entry : stage.entries) {
+    if (const Node* path = entry.value.find("path")) return path;
+  }
+  return nullptr;
+}
+
+std::vector<const Node*> sink_paths(const Node& document) {
+  std::vector<const Node*> paths;
+  const Node* sinks = document.find("sinks");
+  if (sinks == nullptr) return paths;
+  for (const Node& sink : sinks->items) {
+    if (const Node* path = path_of(sink)) paths.push_back(path);
+  }
+  return paths;
+}
+
+/// Links count as what they lead to; files that do not exist yet are compared by name.
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code failed;
+  if (fs::equivalent(a, b, failed) && !failed) return true;
+  const fs::path whole_a = fs::weakly_canonical(fs::absolute(a, failed), failed);
+  if (failed) return false;
+  const fs::path whole_b = fs::weakly_canonical(fs::absolute(b, failed), failed);
+  return !failed && whole_a == whole_b;
+}
+
+bool same_output(const std::string& a, const std::string& b) {
+  if (a == kStandardOutput || b == kStandardOutput) return a == b;
+  return same_file(a, b);
+}
+
+std::string_view without_file_scheme(std::string_view path) {
+  constexpr std::string_view kScheme = "file://";
+  return path.starts_with(kScheme) ? path.substr(kScheme.size()) : path;
+}
+
+Mistake mistake_at(const Place& place, std::string message) {
+  return {place.file, place.line, place.column, std::move(message)};
+}
+
+std::string to_string(const Place& place) {
+  if (place.line == 0) return place.file;
+  return fmt::format("{}:{}:{}", place.file, place.line, place.column);
+}
+
 }  // namespace
 
 std::vector<fs::path> pipeline_folders() {
@@ -87,6 +136,36 @@ Node sink_node(std::string_view plugin, std::string_view path, std::string_view 
   sink.place = text.place;
   sink.entries.push_back({std::string(plugin), text.place, parameters});
   return sink;
+}
+
+void check_outputs(const Node& document) {
+  const Node* source = document.find("source");
+  const Node* read = source != nullptr ? path_of(*source) : nullptr;
+  const std::vector<const Node*> written = sink_paths(document);
+  std::vector<Mistake> mistakes;
+  for (auto sink = written.begin(); sink != written.end(); ++sink) {
+    const Node& path = **sink;
+    if (read != nullptr && path.scalar != kStandardOutput &&
+        same_file(path.scalar, without_file_scheme(read->scalar))) {
+      mistakes.push_back(mistake_at(
+          path.place, fmt::format("writing '{}' would destroy what the source reads, '{}' ({})",
+                                  path.scalar, read->scalar, to_string(read->place))));
+    }
+    const auto other = std::find_if(written.begin(), sink, [&](const Node* earlier) {
+      return same_output(earlier->scalar, path.scalar);
+    });
+    if (other != sink) {
+      mistakes.push_back(mistake_at(
+          path.place, fmt::format("'{}' is already written by another sink, as '{}' ({})",
+                                  path.scalar, (*other)->scalar, to_string((*other)->place))));
+    }
+  }
+  if (!mistakes.empty()) throw ConfigError(std::move(mistakes));
+}
+
+bool writes_to_stdout(const Node& document) {
+  return std::ranges::any_of(sink_paths(document),
+                             [](const Node* path) { return path->scalar == kStandardOutput; });
 }
 
 PluginRegistry make_registry(const CommandLine& line) {

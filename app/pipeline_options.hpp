@@ -28,6 +28,15 @@ PipelineRequest make_request(const PipelineOptions& options);
 /// A sink entry `{<plugin>: {path: <path>}}`; mistakes in it are told as being in `flag`.
 Node sink_node(std::string_view plugin, std::string_view path, std::string_view flag);
 
+/// Refuses outputs that would destroy something: a sink's `path` that is the very file the source
+/// reads, or that another sink writes too.
+/// @param document a pipeline, merged and without mistakes.
+/// @throws ConfigError naming both sides.
+void check_outputs(const Node& document);
+
+/// Whether a sink of `document` writes to standard output.
+bool writes_to_stdout(const Node& document);
+
 PluginRegistry make_registry(const CommandLine& line);
 
 }  // namespace maggic::app

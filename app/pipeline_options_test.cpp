@@ -61,5 +61,47 @@ TEST(SinkNode, IsOneSinkWithItsPathAsText) {
   EXPECT_EQ(path->place.file, "--output");
 }
 
+class CheckOutputs : public FindConfiguration {
+ protected:
+  /// A pipeline that reads `source` and writes `sinks`.
+  static void check(const std::string& source, const std::vector<std::string>& sinks) {
+    std::string text = "source: {video: {path: '" + source + "'}}\nsinks:\n";
+    for (const std::string& sink : sinks) text += "  - jsonl: {path: '" + sink + "'}\n";
+    check_outputs(parse_document(text, "p.yaml"));
+  }
+
+  const std::string video_ = root_ / "second" / "slow.yaml";
+};
+
+TEST_F(CheckOutputs, RefusesToWriteOverWhatTheSourceReadsByAnyName) {
+  const std::string detour = root_ / "first" / ".." / "second" / "slow.yaml";
+  const std::string soft = root_ / "soft";
+  const std::string hard = root_ / "hard";
+  std::filesystem::create_symlink(video_, soft);
+  std::filesystem::create_hard_link(video_, hard);
+  for (const std::string& name : {video_, detour, soft, hard}) {
+    EXPECT_THAT([&] { check(video_, {name}); },
+                ThrowsMessage<ConfigError>(AllOf(HasSubstr("p.yaml:3:"), HasSubstr(name),
+                                                 HasSubstr(video_), HasSubstr("destroy"))));
+    EXPECT_THROW(check("file://" + video_, {name}), ConfigError);
+  }
+}
+
+TEST_F(CheckOutputs, RefusesTwoSinksWithOneOutput) {
+  const std::string fresh = root_ / "fresh.jsonl";
+  const std::string same = root_ / "first" / ".." / "fresh.jsonl";
+  EXPECT_THAT([&] { check(video_, {fresh, same}); },
+              ThrowsMessage<ConfigError>(AllOf(HasSubstr("p.yaml:4:"), HasSubstr(same),
+                                               HasSubstr(fresh), HasSubstr("p.yaml:3:"))));
+  EXPECT_THROW(check(video_, {"no_such_file", "./no_such_file"}), ConfigError);
+  EXPECT_THROW(check(video_, {"-", "-"}), ConfigError);
+}
+
+TEST_F(CheckOutputs, LeavesOtherFilesAlone) {
+  EXPECT_NO_THROW(check(video_, {root_ / "a", root_ / "b", "-", "./-"}));
+  EXPECT_NO_THROW(check("rtsp://camera/live", {video_}));
+  EXPECT_NO_THROW(check(root_ / "second", {root_ / "second" / "out.jsonl"}));
+}
+
 }  // namespace
 }  // namespace maggic::app

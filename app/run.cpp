@@ -41,23 +41,6 @@ void end_on_signals() {
   if (of_hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
 }
 
-/// Whether an output of the pipeline goes to standard output, where the summary would spoil it.
-bool writes_to_stdout(const PipelineRequest& request) {
-  std::vector<Mistake> notes;
-  const Node document = merged_document(request, notes);
-  std::vector<Node> sinks = request.extra_sinks;
-  if (const Node* own = document.find("sinks")) {
-    sinks.insert(sinks.end(), own->items.begin(), own->items.end());
-  }
-  for (const Node& sink : sinks) {
-    for (const Node::Entry& entry : sink.entries) {
-      const Node* path = entry.value.find("path");
-      if (path != nullptr && path->scalar == "-") return true;
-    }
-  }
-  return false;
-}
-
 /// Frames the source will give until its end or the end of the wanted duration, when known.
 std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
                                              const SourceInfo& source) {
@@ -118,7 +101,11 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
     console.line(note.to_string(), Console::Tone::kWarning, "note: ");
   }
 
-  const bool stdout_taken = writes_to_stdout(request);
+  std::vector<Mistake> known_notes;
+  const Node document = merged_document(request, known_notes);
+  check_outputs(document);
+  // The summary would spoil what is written there.
+  const bool stdout_taken = writes_to_stdout(document);
 
   end_on_signals();
   try {

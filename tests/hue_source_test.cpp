@@ -21,8 +21,7 @@ const std::filesystem::path kFootage =
 constexpr int kPatchRadiusPx = 3;
 
 cv::Mat first_picture(const std::string& plugin, const std::filesystem::path& media) {
-  const auto source =
-      testing::make<Source>(plugin, fmt::format("path: '{}'", media.string()));
+  const auto source = testing::make<Source>(plugin, fmt::format("path: '{}'", media.string()));
   source->open();
   Frame frame;
   while (source->read(frame) == ReadStatus::kRetry) {
@@ -112,13 +111,12 @@ TEST_P(HueSource, TheOriginalColourTellsTagsApartAtLeastAsWell) {
   EXPECT_GT(gap["original"], gap["weighted"]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Clips, HueSource,
-                         ::testing::Values(HueCase{"static", "video"}, HueCase{"tags_3v3_0", "video"},
-                                           HueCase{"tags_3v3_1", "video"},
-                                           HueCase{"all_tags", "video"},
-                                           HueCase{"rinobot_1", "images"},
-                                           HueCase{"vsssdk_model_3908ae", "images"}),
-                         [](const auto& test) { return test.param.clip; });
+INSTANTIATE_TEST_SUITE_P(
+    Clips, HueSource,
+    ::testing::Values(HueCase{"static", "video"}, HueCase{"tags_3v3_0", "video"},
+                      HueCase{"tags_3v3_1", "video"}, HueCase{"all_tags", "video"},
+                      HueCase{"rinobot_1", "images"}, HueCase{"vsssdk_model_3908ae", "images"}),
+    [](const auto& test) { return test.param.clip; });
 
 }  // namespace
 }  // namespace maggic

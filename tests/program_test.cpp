@@ -203,6 +203,24 @@ TEST_F(ProgramTest, WritesAnAnnotatedVideo) {
   EXPECT_GT(std::filesystem::file_size(video), 1000U);
 }
 
+TEST_F(ProgramTest, NeverWritesOverWhatItReads) {
+  const std::string video = folder_.write("match.mp4", "precious");
+  for (const char* flag : {"--output", "--video"}) {
+    const auto result = maggic({"run", pipeline_, "--source", video, flag, video});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err, AllOf(HasSubstr(flag), HasSubstr(video), HasSubstr("--source")));
+  }
+  EXPECT_EQ(text_of(video), "precious");
+}
+
+TEST_F(ProgramTest, TwoOutputsIntoOneFileAreRefused) {
+  const std::string output = folder_.file("out.mp4");
+  const auto result = maggic({"run", pipeline_, "--output", output, "--video", output});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("--output"), HasSubstr("--video"), HasSubstr(output)));
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 TEST_F(ProgramTest, WrongUsageIsExplainedAndGivesTwo) {
   const struct {
     std::vector<std::string> arguments;

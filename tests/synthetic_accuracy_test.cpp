@@ -31,12 +31,11 @@ TEST_P(SyntheticMatch, IsFoundToTheMillimetre) {
   built.sinks.clear();
   TruthScore score;
   const std::atomic<bool> stop{false};
-  const RunSummary summary =
-      run(built, {.max_frames = kFrames}, stop, reporter,
-          [&](const FrameResult& result, const RunSummary&) {
-            ASSERT_TRUE(result.frame.has_truth);
-            score.add(result.detections, result.frame.truth);
-          });
+  const RunSummary summary = run(built, {.max_frames = kFrames}, stop, reporter,
+                                 [&](const FrameResult& result, const RunSummary&) {
+                                   ASSERT_TRUE(result.frame.has_truth);
+                                   score.add(result.detections, result.frame.truth);
+                                 });
   EXPECT_TRUE(summary.clean()) << summary.first_error;
   ASSERT_EQ(score.frames, static_cast<std::uint64_t>(kFrames));
   EXPECT_GE(static_cast<double>(score.robots_right_id),

@@ -72,9 +72,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string>& kn
   if (known.empty() || word.size() > kLongest) return {};
   const auto distance = [word](const std::string& other) { return edit_distance(word, other); };
   const std::string& nearest = *std::ranges::min_element(known, {}, distance);
-  // Two neighbours swapped, the commonest slip, are two edits; more in a short word is another one.
+  // Two neighbours swapped, the commonest slip, are two edits; more make a short word another.
   const std::size_t most = std::max<std::size_t>(2, word.size() / 3);
-  if (distance(nearest) > most || distance(nearest) + 1 >= word.size()) return {};
+  if (distance(nearest) > most || distance(nearest) >= word.size()) return {};
   return fmt::format(", did you mean '{}'?", nearest);
 }
 

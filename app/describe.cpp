@@ -1,5 +1,7 @@
 /// `maggic describe`: the parameters of plugins and pipeline sections.
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -20,6 +22,9 @@
 namespace maggic::app {
 namespace {
 
+constexpr std::size_t kWidestTable = 110;   // longer lines are hard to follow, terminal or not
+constexpr std::size_t kWidestDefault = 24;  // one list of polygons must not push the rest aside
+
 void print_parameters(const std::vector<ParameterRow>& rows) {
   if (rows.empty()) {
     fmt::print("  no parameters\n");
@@ -29,10 +34,11 @@ void print_parameters(const std::vector<ParameterRow>& rows) {
   TextTable table(std::vector<Align>(6, Align::kLeft));
   table.add({"PARAMETER", "TYPE", "DEFAULT", "RANGE", "UNIT", "MEANING"});
   for (const ParameterRow& row : rows) {
-    table.add({row.path, row.type, row.default_value, row.range, row.unit, row.meaning});
+    table.add({row.path, row.type, shortened(row.default_value, kWidestDefault), row.range,
+               row.unit, row.meaning});
   }
   const auto width = static_cast<std::size_t>(Console(stdout).width());
-  fmt::print("{}", table.to_string(2, width));
+  fmt::print("{}", table.to_string(2, std::min(width, kWidestTable)));
 }
 
 /// What is printed of one plugin or section.

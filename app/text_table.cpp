@@ -8,6 +8,9 @@ namespace {
 constexpr std::size_t kGap = 2;
 constexpr std::size_t kMinWrapWidth = 24;  // below this wrapping is worse than a long line
 
+/// A further byte of a UTF-8 character.
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
 std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
   std::vector<std::string> lines(1);
   while (!text.empty()) {
@@ -29,8 +32,19 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t width) {
 }  // namespace
 
 std::size_t columns_of(std::string_view text) {
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues));
+  return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
+}
+
+std::string shortened(std::string_view text, std::size_t columns) {
+  if (columns_of(text) <= columns) return std::string(text);
+  std::size_t end = 0;
+  std::size_t after_item = 0;
+  for (std::size_t used = 1; used < columns; ++used) {  // one column is the ellipsis's
+    ++end;
+    while (end < text.size() && continues_character(text[end])) ++end;
+    if (text.substr(0, end).ends_with(", ")) after_item = end;
+  }
+  return std::string(text.substr(0, after_item != 0 ? after_item : end)) + "…";
 }
 
 void TextTable::add(std::vector<std::string> cells) {

@@ -11,6 +11,10 @@ namespace maggic::app {
 /// How many columns UTF-8 text takes, counting one a code point.
 std::size_t columns_of(std::string_view text);
 
+/// `text` in at most `columns` columns (≥ 1), its end replaced by '…' where it is longer; a list is
+/// cut between its items where one fits.
+std::string shortened(std::string_view text, std::size_t columns);
+
 /// Rows of cells; every column as wide as its widest cell, the last one wrapped at word borders
 /// where the table would be wider than asked for.
 class TextTable {

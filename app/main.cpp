@@ -2,7 +2,12 @@
 
 #include <csignal>
 #include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <span>
+#include <stdexcept>
+#include <system_error>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -23,6 +28,16 @@ struct Dispatch {
   ExitCode operator()(const NewOptions& o) const { return new_command(o, line); }
 };
 
+/// The registry passes over a missing folder, which is right for the usual places only.
+void check_plugin_folders(const CommandLine& line) {
+  for (const std::filesystem::path& folder : line.plugin_folders) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) continue;
+    throw std::invalid_argument(
+        fmt::format("--plugin-path: found '{}', expected a folder that exists", folder.string()));
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -35,6 +50,7 @@ int main(int argc, char** argv) {
       return end->code;
     }
     const CommandLine& line = std::get<CommandLine>(parsed);
+    check_plugin_folders(line);
     return std::visit(Dispatch{line}, line.command);
   } catch (const maggic::ConfigError& error) {
     const std::size_t count = error.mistakes().size();

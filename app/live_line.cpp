@@ -64,6 +64,12 @@ Quantiles quantiles_of(const DurationHistogram& histogram) {
 }
 
 std::string live_line(const LiveState& state, int width) {
+  const std::size_t room = static_cast<std::size_t>(std::max(width, 1));
+  if (state.processed + state.skipped + state.failed == 0) {
+    return fmt::format("waiting for the first frame ({:.0f} s); Ctrl-C ends",
+                       std::floor(state.elapsed_s))
+        .substr(0, room);
+  }
   std::vector<std::string> parts;
   parts.push_back(progress(state, width));
   parts.push_back(fmt::format("{:.0f} fps", state.frames_per_second));
@@ -77,7 +83,6 @@ std::string live_line(const LiveState& state, int width) {
     parts.push_back(quantiles_text(name_of(step), state.steps[static_cast<std::size_t>(step)]));
   }
 
-  const std::size_t room = static_cast<std::size_t>(std::max(width, 1));
   std::string line;
   for (const std::string& part : parts) {
     const std::string_view gap = line.empty() ? "" : "  ";

@@ -36,7 +36,8 @@ Quantiles quantiles_of(const DurationHistogram& histogram);
 
 /// "[##----]  40% ETA 0:12  148 fps  6 robots+ball  0 dropped  p50/p99 0.56/1.07 ms  segment …":
 /// as much as fits into `width` columns, the most telling parts first; from 80 columns on the
-/// whole frame path's times, from 150 on those of every step. ASCII only, never wider.
+/// whole frame path's times, from 150 on those of every step. Before the first frame it says that
+/// it waits, and for how long. ASCII only, never wider.
 std::string live_line(const LiveState& state, int width);
 
 }  // namespace maggic::app

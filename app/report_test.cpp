@@ -77,11 +77,21 @@ TEST(LiveLine, NeverGetsWiderThanAsked) {
 
 TEST(LiveLine, SurvivesOddNumbers) {
   LiveState state;
-  state.total = 0;
-  EXPECT_THAT(live_line(state, 80), HasSubstr("frame 0"));
-  state.total = 10;
   state.processed = 20;
+  state.total = 0;
+  EXPECT_THAT(live_line(state, 80), HasSubstr("frame 20"));
+  state.total = 10;
   EXPECT_THAT(live_line(state, 80), HasSubstr("100%"));
+}
+
+TEST(LiveLine, SaysThatItWaitsUntilTheFirstFrame) {
+  LiveState state;
+  state.elapsed_s = 12.9;
+  state.total = 100;
+  EXPECT_EQ(live_line(state, 80), "waiting for the first frame (12 s); Ctrl-C ends");
+  EXPECT_EQ(live_line(state, 7), "waiting");
+  state.skipped = 1;
+  EXPECT_THAT(live_line(state, 80), Not(HasSubstr("waiting")));
 }
 
 TEST(TextTable, AlignsColumnsByWhatIsSeen) {
@@ -105,17 +115,40 @@ TEST(Summary, NamesFailedOutputsAndTheirReason) {
   RunSummary summary;
   summary.processed = 20;
   summary.sinks.push_back({"jsonl", 15, 0, 5, "cannot write 'x': No space left on device"});
-  EXPECT_THAT(summary_text(summary, TruthScore(), 2.0),
+  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 2.0),
               AllOf(HasSubstr("20 frames in 2.0 s (10.0 fps)"),
                     HasSubstr("jsonl  15  frames, 5 failed: cannot write 'x': No space left"),
                     Not(HasSubstr("ground truth"))));
 }
 
+TEST(Summary, TellsWhatWasSeen) {
+  RunSummary summary;
+  summary.processed = 2;
+  Detections detections;
+  detections.robots.resize(6);
+  detections.ball.emplace();
+  Found found;
+  found.add(detections);
+  detections.robots.front().state = TrackState::kPredicted;
+  detections.ball->state = TrackState::kPredicted;
+  found.add(detections);
+  EXPECT_THAT(summary_text(summary, found, TruthScore(), 1.0),
+              HasSubstr("\nfound  5.5 robots a frame, a ball in 50.0 % of frames\n"));
+}
+
+TEST(Summary, SaysWhenNoFrameEverCame) {
+  RunSummary summary;
+  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0),
+              AllOf(HasSubstr("no frame ever came from the source"), Not(HasSubstr("found"))));
+  summary.skipped = 1;
+  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0), Not(HasSubstr("no frame")));
+}
+
 TEST(Summary, TellsWhatTheColourTableTook) {
   RunSummary summary;
-  EXPECT_THAT(summary_text(summary, TruthScore(), 1.0), Not(HasSubstr("colour table")));
+  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0), Not(HasSubstr("colour table")));
   summary.table_compile_time = std::chrono::microseconds(123456);
-  EXPECT_THAT(summary_text(summary, TruthScore(), 1.0),
+  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0),
               HasSubstr("colour table compiled in 123.456 ms before the run"));
 }
 
@@ -129,7 +162,7 @@ TEST(Summary, ComparesWithTheTruthWhereThereIsOne) {
   truth.robots_right_id = 57;
   truth.robots_false = 5;
   truth.robot_position_mm.add(3.0);
-  const std::string text = summary_text(summary, truth, 1.0);
+  const std::string text = summary_text(summary, Found(), truth, 1.0);
   EXPECT_THAT(text, HasSubstr("ground truth of 10 frames"));
   EXPECT_THAT(text, HasSubstr("98.33 %  (59 of 60)"));
   EXPECT_THAT(text, HasSubstr("95.00 %  (57 of 60)"));

@@ -56,6 +56,7 @@ std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
 
 ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, std::FILE* report,
                         Console& console, ConsoleReporter& reporter) {
+  Found found;
   TruthScore truth;
   RunOptions run_options;
   run_options.max_frames = options.frames;
@@ -67,6 +68,7 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
     Progress progress(console, options.frames);
     summary = run(built, run_options, stop_wanted, reporter,
                   [&](const FrameResult& result, const RunSummary& so_far) {
+                    found.add(result.detections);
                     if (result.frame.has_truth) truth.add(result.detections, result.frame.truth);
                     progress.update(result, so_far, expected_frames(options, so_far.source));
                   });
@@ -74,10 +76,14 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
   const double elapsed_s = duration<double>(steady_clock::now() - started).count();
   reporter.print_totals();
 
-  fmt::print(report, "{}", summary_text(summary, truth, elapsed_s));
+  fmt::print(report, "{}", summary_text(summary, found, truth, elapsed_s));
   std::fflush(report);
   if (!summary.clean()) {
     console.line("something failed during the run, see above", Console::Tone::kError, "error: ");
+    return kFailed;
+  }
+  if (summary.taken() == 0) {
+    console.line("no frame ever came from the source", Console::Tone::kError, "error: ");
     return kFailed;
   }
   return kFine;
@@ -106,6 +112,13 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
   check_outputs(document);
   // The summary would spoil what is written there.
   const bool stdout_taken = writes_to_stdout(document);
+  if (options.pipeline.source && *options.pipeline.source != "synthetic" &&
+      !options.pipeline.calibration) {
+    console.line(fmt::format("no --calibration: corners and colours are those of {}, positions in "
+                             "millimetres may mean nothing for this camera",
+                             request.pipeline.string()),
+                 Console::Tone::kWarning, "note: ");
+  }
 
   end_on_signals();
   try {

@@ -1,5 +1,7 @@
 #include "app/summary.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "app/text_table.hpp"
@@ -18,6 +20,13 @@ std::string ms(std::chrono::nanoseconds t) {
 std::string percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return "-";
   return fmt::format("{:.2f} %", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+std::string found_text(const Found& found) {
+  const double frames = static_cast<double>(found.frames);
+  return fmt::format("found  {:.1f} robots a frame, a ball in {:.1f} % of frames\n",
+                     static_cast<double>(found.robots) / frames,
+                     100.0 * static_cast<double>(found.balls) / frames);
 }
 
 std::string times_text(const StepStatistics& times) {
@@ -76,7 +85,15 @@ std::string truth_text(const TruthScore& truth) {
 
 }  // namespace
 
-std::string summary_text(const RunSummary& summary, const TruthScore& truth, double elapsed_s) {
+void Found::add(const Detections& detections) {
+  const auto seen = [](const auto& object) { return object.state == TrackState::kSeen; };
+  ++frames;
+  robots += static_cast<std::uint64_t>(std::ranges::count_if(detections.robots, seen));
+  if (detections.ball && seen(*detections.ball)) ++balls;
+}
+
+std::string summary_text(const RunSummary& summary, const Found& found, const TruthScore& truth,
+                         double elapsed_s) {
   const double rate = elapsed_s > 0.0 ? static_cast<double>(summary.processed) / elapsed_s : 0.0;
   std::string text =
       fmt::format("{} frames in {:.1f} s ({:.1f} fps), {} dropped, {} skipped", summary.processed,
@@ -84,6 +101,8 @@ std::string summary_text(const RunSummary& summary, const TruthScore& truth, dou
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   text += '\n';
   if (!summary.first_error.empty()) text += fmt::format("first error: {}\n", summary.first_error);
+  if (summary.taken() == 0) text += "no frame ever came from the source\n";
+  if (found.frames > 0) text += found_text(found);
   if (summary.processed > 0) text += '\n' + times_text(summary.times);
   if (summary.table_compile_time.count() > 0) {
     text += fmt::format("\ncolour table compiled in {} ms before the run\n",

@@ -83,6 +83,7 @@ TEST_F(ProgramTest, RunsAPipelineToItsFrameLimitAndSumsUp) {
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out,
               AllOf(HasSubstr("20 frames in"), HasSubstr("frame path"),
+                    HasSubstr("found  6.0 robots a frame, a ball in 100.0 % of frames"),
                     HasSubstr("ground truth of 20 frames"), HasSubstr("jsonl  20  frames")));
   EXPECT_EQ(lines_of(text_of(output)).size(), 20U);
 }
@@ -201,6 +202,25 @@ TEST_F(ProgramTest, WritesAnAnnotatedVideo) {
   const auto result = maggic({"run", pipeline_, "--frames", "5", "--video", video});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_GT(std::filesystem::file_size(video), 1000U);
+}
+
+TEST_F(ProgramTest, ARunThatNeverSawAFrameSaysSoAndGivesOne) {
+  // A stream that nobody serves; it would be waited for as long as it takes.
+  Program program(folder_.path(), {"run", pipeline_, "--source", "tcp://127.0.0.1:9"});
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const std::string err = folder_.file("stderr.txt");
+  while (text_of(err).find("waiting for the first frame (") == std::string::npos &&
+         std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  program.send(SIGINT);
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.out, HasSubstr("no frame ever came"));
+  EXPECT_THAT(result.err, AllOf(HasSubstr("waiting for the first frame ("),
+                                HasSubstr("note: no --calibration: corners and colours are those "
+                                          "of " +
+                                          pipeline_)));
 }
 
 TEST_F(ProgramTest, NeverWritesOverWhatItReads) {

@@ -90,9 +90,12 @@ TEST_F(CheckOutputs, RefusesToWriteOverWhatTheSourceReadsByAnyName) {
 TEST_F(CheckOutputs, RefusesTwoSinksWithOneOutput) {
   const std::string fresh = root_ / "fresh.jsonl";
   const std::string same = root_ / "first" / ".." / "fresh.jsonl";
-  EXPECT_THAT([&] { check(video_, {fresh, same}); },
-              ThrowsMessage<ConfigError>(AllOf(HasSubstr("p.yaml:4:"), HasSubstr(same),
-                                               HasSubstr(fresh), HasSubstr("p.yaml:3:"))));
+  EXPECT_THAT(
+      [&] {
+        check(video_, {fresh, same});
+      },
+      ThrowsMessage<ConfigError>(AllOf(HasSubstr("p.yaml:4:"), HasSubstr(same), HasSubstr(fresh),
+                                       HasSubstr("p.yaml:3:"))));
   EXPECT_THROW(check(video_, {"no_such_file", "./no_such_file"}), ConfigError);
   EXPECT_THROW(check(video_, {"-", "-"}), ConfigError);
 }

@@ -245,17 +245,30 @@ TEST_F(ProgramTest, WrongUsageIsExplainedAndGivesTwo) {
   const struct {
     std::vector<std::string> arguments;
     const char* text;
-  } cases[] = {{{"rnu", "x"}, "unknown command 'rnu'"},
-               {{"run", "no_such_pipeline"}, "no_such_pipeline"},
-               {{"run", pipeline_, "--set", "nonsense"}, "--set"},
-               {{"run", pipeline_, "--calibration", "no_such_file"}, "no_such_file"},
-               {{"describe", "no_such_plugin"}, "no_such_plugin"},
-               {{"new", "sinc", "x", folder_.file("x")}, "sinc"}};
+  } cases[] = {
+      {{"rnu", "x"}, "unknown command 'rnu'"},
+      {{"run", "no_such_pipeline"}, "no_such_pipeline"},
+      {{"run", pipeline_, "--set", "nonsense"}, "--set"},
+      {{"run", pipeline_, "--calibration", "no_such_file"}, "no_such_file"},
+      {{"describe", "no_such_plugin"}, "no_such_plugin"},
+      {{"plugins", "--plugin-path", folder_.file("gone")}, "expected a folder that exists"},
+      {{"new", "sink", "two_tag", folder_.file("x")}, "there is a plugin 'two_tag' already"},
+      {{"new", "sinc", "x", folder_.file("x")}, "sinc"}};
   for (const auto& c : cases) {
     const auto result = maggic(c.arguments);
     EXPECT_EQ(result.exit_code, 2) << c.text;
     EXPECT_THAT(result.err, HasSubstr(c.text));
   }
+}
+
+TEST_F(ProgramTest, NewTellsWhatItWroteAndWhatToDoNext) {
+  const std::string folder = folder_.file("x");
+  const auto result = maggic({"new", "sink", "warm_light", folder});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("wrote " + folder + "/warm_light: "), HasSubstr("warm_light.cpp"),
+                    HasSubstr("cmake -S " + folder + "/warm_light -B "), HasSubstr("ctest"),
+                    HasSubstr("maggic describe warm_light --plugin-path " + folder)));
 }
 
 TEST_F(ProgramTest, DescribesPluginsAndSections) {

@@ -138,7 +138,7 @@ Node sink_node(std::string_view plugin, std::string_view path, std::string_view 
   return sink;
 }
 
-void check_outputs(const Node& document) {
+void check_outputs(const Node& document, const std::vector<fs::path>& configuration) {
   const Node* source = document.find("source");
   const Node* read = source != nullptr ? path_of(*source) : nullptr;
   const std::vector<const Node*> written = sink_paths(document);
@@ -150,6 +150,12 @@ void check_outputs(const Node& document) {
       mistakes.push_back(mistake_at(
           path.place, fmt::format("writing '{}' would destroy what the source reads, '{}' ({})",
                                   path.scalar, read->scalar, to_string(read->place))));
+    }
+    for (const fs::path& file : configuration) {
+      if (path.scalar == kStandardOutput || !same_file(path.scalar, file)) continue;
+      mistakes.push_back(mistake_at(
+          path.place,
+          fmt::format("writing '{}' would destroy a file the run is configured by", path.scalar)));
     }
     const auto other = std::find_if(written.begin(), sink, [&](const Node* earlier) {
       return same_output(earlier->scalar, path.scalar);

@@ -29,10 +29,11 @@ PipelineRequest make_request(const PipelineOptions& options);
 Node sink_node(std::string_view plugin, std::string_view path, std::string_view flag);
 
 /// Refuses outputs that would destroy something: a sink's `path` that is the very file the source
-/// reads, or that another sink writes too.
+/// reads, that another sink writes too, or that is one of the `configuration` files.
 /// @param document a pipeline, merged and without mistakes.
 /// @throws ConfigError naming both sides.
-void check_outputs(const Node& document);
+void check_outputs(const Node& document,
+                   const std::vector<std::filesystem::path>& configuration = {});
 
 /// Whether a sink of `document` writes to standard output.
 bool writes_to_stdout(const Node& document);

@@ -87,6 +87,16 @@ TEST_F(CheckOutputs, RefusesToWriteOverWhatTheSourceReadsByAnyName) {
   }
 }
 
+TEST_F(CheckOutputs, RefusesToWriteOverTheConfiguration) {
+  const Node document = parse_document("sinks: [{jsonl: {path: '" + video_ + "'}}]", "p.yaml");
+  EXPECT_NO_THROW(check_outputs(document, {root_ / "other.yaml"}));
+  EXPECT_THAT(
+      [&] {
+        check_outputs(document, {root_ / "other.yaml", video_});
+      },
+      ThrowsMessage<ConfigError>(AllOf(HasSubstr(video_), HasSubstr("configured by"))));
+}
+
 TEST_F(CheckOutputs, RefusesTwoSinksWithOneOutput) {
   const std::string fresh = root_ / "fresh.jsonl";
   const std::string same = root_ / "first" / ".." / "fresh.jsonl";

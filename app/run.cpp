@@ -109,7 +109,9 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
 
   std::vector<Mistake> known_notes;
   const Node document = merged_document(request, known_notes);
-  check_outputs(document);
+  std::vector<std::filesystem::path> configuration{request.pipeline};
+  if (request.calibration) configuration.push_back(*request.calibration);
+  check_outputs(document, configuration);
   // The summary would spoil what is written there.
   const bool stdout_taken = writes_to_stdout(document);
   if (options.pipeline.source && *options.pipeline.source != "synthetic" &&

@@ -13,6 +13,14 @@ namespace maggic {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
+// Sanitizer builds run 20 times slower and look for memory errors: every 15th red does there, both
+// ends included.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr unsigned kRedStep = 15;
+#else
+inline constexpr unsigned kRedStep = 1;
+#endif
+
 /// A loaded normalizer without parameters.
 class NormalizerForTests {
  public:
@@ -26,7 +34,7 @@ class NormalizerForTests {
   }
 
   /// @param is_exact whether `q` is the right answer for channel `c` of the colour `rgb`.
-  /// @return for how many of the 2^24 colours a channel is wrong.
+  /// @return for how many of the 2^24 colours (of every kRedStep-th red) a channel is wrong.
   template <class F>
   std::size_t count_wrong(F is_exact) const {
     constexpr std::size_t kBatch = 256 * 256;
@@ -37,7 +45,7 @@ class NormalizerForTests {
       g[i] = static_cast<std::uint8_t>(i >> 8);
     }
     std::size_t wrong = 0;
-    for (unsigned red = 0; red < 256; ++red) {
+    for (unsigned red = 0; red < 256; red += kRedStep) {
       r.assign(kBatch, static_cast<std::uint8_t>(red));
       normalizer().normalize({b, g, r}, {out_b, out_g, out_r});
       for (std::size_t i = 0; i < kBatch; ++i) {

@@ -40,6 +40,52 @@ struct CheckOptions {
   PipelineOptions common;  ///< Its `pipeline` is not used.
 };
 
+/// Both `score` and what else compares with the truth.
+struct ScoreOptions {
+  PipelineOptions pipeline;
+  std::optional<std::filesystem::path> truth;  ///< Left out: the source's own.
+  std::optional<std::uint64_t> frames;
+  std::optional<std::filesystem::path> json;
+  std::optional<std::string> require;  ///< `seen=99,false=0,…`
+};
+
+struct CompareOptions {
+  std::vector<std::string> pipelines;       ///< At least two.
+  std::vector<std::string> calibrations;    ///< None, one for all, or one each.
+  PipelineOptions common;                   ///< Its `pipeline` and `calibration` are not used.
+  std::optional<std::filesystem::path> truth;
+  std::optional<std::uint64_t> frames;
+  std::optional<std::filesystem::path> json;
+  std::filesystem::path output = "compare";  ///< Folder of the report and its pictures.
+  std::vector<int> thresholds;              ///< Gray thresholds of the report's rows.
+};
+
+struct SweepOptions {
+  PipelineOptions pipeline;
+  std::string images;                        ///< Folder or pattern.
+  std::filesystem::path output = "sweep";    ///< Folder of plots and tables.
+  std::vector<std::string> normalizers;      ///< None: every colour normalizer there is.
+  double share_percent = 90.0;
+};
+
+struct PlotNormalizerOptions {
+  std::string normalizer;
+  std::optional<std::filesystem::path> output;  ///< SVG; left out: `<normalizer>.svg`.
+};
+
+struct CalibrateOptions {
+  PipelineOptions pipeline;
+  std::filesystem::path output;
+  std::uint64_t frames = 100;
+  std::vector<std::string> corners;  ///< None or four of `x,y`.
+  std::optional<int> gray_threshold;
+};
+
+struct ImportOptions {
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path output;
+};
+
 struct PluginsOptions {};
 
 struct DescribeOptions {
@@ -52,8 +98,9 @@ struct NewOptions {
   std::filesystem::path folder;
 };
 
-using Command =
-    std::variant<RunOptionsGiven, CheckOptions, PluginsOptions, DescribeOptions, NewOptions>;
+using Command = std::variant<RunOptionsGiven, ScoreOptions, CompareOptions, SweepOptions,
+                             PlotNormalizerOptions, CalibrateOptions, ImportOptions, CheckOptions,
+                             PluginsOptions, DescribeOptions, NewOptions>;
 
 struct CommandLine {
   std::vector<std::filesystem::path> plugin_folders;  ///< Searched after the usual ones.
@@ -61,6 +108,12 @@ struct CommandLine {
 };
 
 ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line);
+ExitCode score_command(const ScoreOptions& options, const CommandLine& line);
+ExitCode compare_command(const CompareOptions& options, const CommandLine& line);
+ExitCode sweep_command(const SweepOptions& options, const CommandLine& line);
+ExitCode plot_normalizer_command(const PlotNormalizerOptions& options, const CommandLine& line);
+ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& line);
+ExitCode import_command(const ImportOptions& options, const CommandLine& line);
 ExitCode check_command(const CheckOptions& options, const CommandLine& line);
 ExitCode plugins_command(const PluginsOptions& options, const CommandLine& line);
 ExitCode describe_command(const DescribeOptions& options, const CommandLine& line);

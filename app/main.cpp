@@ -22,6 +22,14 @@ using namespace maggic::app;
 struct Dispatch {
   const CommandLine& line;
   ExitCode operator()(const RunOptionsGiven& o) const { return run_command(o, line); }
+  ExitCode operator()(const ScoreOptions& o) const { return score_command(o, line); }
+  ExitCode operator()(const CompareOptions& o) const { return compare_command(o, line); }
+  ExitCode operator()(const SweepOptions& o) const { return sweep_command(o, line); }
+  ExitCode operator()(const PlotNormalizerOptions& o) const {
+    return plot_normalizer_command(o, line);
+  }
+  ExitCode operator()(const CalibrateOptions& o) const { return calibrate_command(o, line); }
+  ExitCode operator()(const ImportOptions& o) const { return import_command(o, line); }
   ExitCode operator()(const CheckOptions& o) const { return check_command(o, line); }
   ExitCode operator()(const PluginsOptions& o) const { return plugins_command(o, line); }
   ExitCode operator()(const DescribeOptions& o) const { return describe_command(o, line); }

@@ -45,6 +45,7 @@ class TrackingEngine::Impl {
        Reporter* reporter)
       : parameters_(parameters),
         reporter_(reporter),
+        tag_layouts_(layouts),
         layouts_(models_of(layouts)),
         robots_(parameters_, layouts_),
         ball_(parameters_) {}
@@ -70,6 +71,11 @@ class TrackingEngine::Impl {
     ball_.report(input, out);
   }
 
+  TrackedPattern pattern() const {
+    return {tag_layouts_, parameters_.blue_team_color, parameters_.yellow_team_color,
+            parameters_.ball_color, parameters_.ball_diameter_mm};
+  }
+
  private:
   double step_to(Timestamp captured) {
     const double dt_s = std::chrono::duration<double>(captured - last_).count();
@@ -84,6 +90,7 @@ class TrackingEngine::Impl {
 
   TrackingParameters parameters_;
   Reporter* reporter_;
+  std::vector<TagLayout> tag_layouts_;
   std::vector<tracking::LayoutModel> layouts_;
   tracking::RobotTracker robots_;
   tracking::BallTracker ball_;
@@ -99,5 +106,7 @@ TrackingEngine::TrackingEngine(const TrackingParameters& parameters, std::vector
 TrackingEngine::~TrackingEngine() = default;
 
 void TrackingEngine::track(const TrackerInput& input, Detections& out) { impl_->track(input, out); }
+
+TrackedPattern TrackingEngine::pattern() const { return impl_->pattern(); }
 
 }  // namespace maggic

@@ -2,10 +2,12 @@
 /// Segmenters: give every pixel the label of a palette colour, or background.
 
 #include <span>
+#include <string>
 
 #include <opencv2/core/mat.hpp>
 
 #include "maggic/color_batch.hpp"
+#include "maggic/color_samples.hpp"
 #include "maggic/palette.hpp"
 #include "maggic/stage.hpp"
 
@@ -23,6 +25,20 @@ class ColorSegmenter : public Segmenter {
   /// palette's size; batch equals single; thread-safe; never throws.
   virtual void segment(const ColorBatch& original, const ColorBatch& normalized,
                        std::span<Label> labels) const = 0;
+
+  /// Why one colour gets its label, in words a person at the field can act on, naming the rule and
+  /// its numbers: "gray: channels spread over 12 steps, gray_threshold is 60". Empty: the segmenter
+  /// does not say.
+  /// @param original,normalized one colour each.
+  virtual std::string explain(const ColorBatch& /*original*/,
+                              const ColorBatch& /*normalized*/) const {
+    return {};
+  }
+
+  /// Finds parameters that give the samples their labels, as `maggic calibrate` asks for. Empty:
+  /// the segmenter cannot calibrate itself.
+  /// @return the YAML of the plugin's parameters, a comment on every number.
+  virtual std::string fit(const ColorSamples& /*samples*/) const { return {}; }
 };
 
 /// A segmenter that needs the picture (neighbourhoods, learned models). Runs on every frame.

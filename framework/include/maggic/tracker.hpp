@@ -2,13 +2,16 @@
 /// Trackers: turn the blobs of a frame into robots and ball, and keep them over time.
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "maggic/blob.hpp"
 #include "maggic/detections.hpp"
 #include "maggic/field.hpp"
 #include "maggic/frame.hpp"
 #include "maggic/stage.hpp"
+#include "maggic/tag_layout.hpp"
 
 namespace maggic {
 
@@ -20,8 +23,21 @@ struct TrackerInput {
   const Field& field;           ///< Pixels to millimetres for this frame's size.
 };
 
+/// What a tracker looks for. Calibration learns the colours of a venue from it.
+struct TrackedPattern {
+  std::vector<TagLayout> layouts;
+  Label blue_team_color = kBackground;
+  Label yellow_team_color = kBackground;
+  Label ball_color = kBackground;
+  double ball_diameter_mm = 0.0;
+};
+
 class Tracker : public Stage {
  public:
+  /// What this tracker looks for; valid after `prepare`. Nothing: it does not work by tag patterns,
+  /// and calibration cannot help it.
+  virtual std::optional<TrackedPattern> pattern() const { return std::nullopt; }
+
   /// Fills `out` with what is in the frame; `out.sequence` and `out.captured` are the input's.
   /// Contract: deterministic; an id occurs at most once a team; a blob belongs to at most one
   /// object; positions, velocities and headings are finite; confidence in (0, 1]; robots in the

@@ -54,6 +54,9 @@ class TrackingEngine {
   /// Tracker's contract; see tracker.hpp.
   void track(const TrackerInput& input, Detections& out);
 
+  /// What it was made to look for.
+  TrackedPattern pattern() const;
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

@@ -68,6 +68,8 @@ class TagLayoutTracker final : public Tracker {
     engine_.emplace(parameters_, layouts, &context.reporter);
   }
 
+  std::optional<TrackedPattern> pattern() const override { return engine_->pattern(); }
+
   void track(const TrackerInput& input, Detections& out) override { engine_->track(input, out); }
 
  private:

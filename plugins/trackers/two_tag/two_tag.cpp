@@ -44,6 +44,8 @@ class TwoTag final : public Tracker {
     engine_.emplace(parameters_, std::vector{layout_}, &context.reporter);
   }
 
+  std::optional<TrackedPattern> pattern() const override { return engine_->pattern(); }
+
   void track(const TrackerInput& input, Detections& out) override { engine_->track(input, out); }
 
  private:

@@ -49,6 +49,7 @@ void Capture::read_all() {
     if (!slot) continue;
     Frame& frame = slot->result.frame;
     frame.has_truth = false;
+    frame.truth_labels.release();  // of the frame that was in this slot before
     const auto start = std::chrono::steady_clock::now();
     const ReadStatus status = guarded(StageKind::kSource, source_.name, AtFrame{sequence},
                                       [&] { return source_.stage->read(frame); });

@@ -25,6 +25,7 @@ struct CountingSource : Source {
     return std::chrono::milliseconds(10 * i);
   };
   std::function<void(std::uint64_t)> before_read = [](std::uint64_t) {};
+  std::uint64_t labelled = 0;  ///< So many frames, from the first one on, come with true labels.
   std::uint64_t given = 0;
 
   SourceInfo open() override { return {live, count, 100.0}; }
@@ -33,6 +34,7 @@ struct CountingSource : Source {
     before_read(given);
     frame.bgr = picture(given);
     frame.captured = captured(given);
+    if (given < labelled) frame.truth_labels = cv::Mat(frame.bgr.size(), CV_8UC1, cv::Scalar(0));
     ++given;
     return ReadStatus::kFrame;
   }

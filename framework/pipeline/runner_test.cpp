@@ -88,6 +88,17 @@ TEST(RunRecorded, ARecordingThatLoopsReachesTheWantedTime) {
       << "49 steps of 10 ms and 4 jumps back";
 }
 
+TEST(RunRecorded, AFrameNeverKeepsTheTrueLabelsOfAnotherOne) {
+  Rig rig(60);
+  rig.source->labelled = 30;
+  const std::atomic<bool> stop{false};
+  std::vector<std::uint64_t> labelled;
+  run(rig.built, {}, stop, rig.reporter, [&](const FrameResult& result, const RunSummary&) {
+    if (!result.frame.truth_labels.empty()) labelled.push_back(result.frame.sequence);
+  });
+  EXPECT_EQ(labelled, first(30));
+}
+
 TEST(RunLive, NewestFrameWinsAndDropsAreCounted) {
   Rig rig(50);
   rig.source->live = true;

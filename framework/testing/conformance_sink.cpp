@@ -33,6 +33,9 @@ void add_detections(FrameResult& result) {
   robot.tags.clear();
   robot.state = TrackState::kPredicted;
   result.detections.robots.push_back(robot);
+  result.frame.has_truth = true;
+  result.frame.truth = result.detections;
+  result.frame.truth_labels = cv::Mat::zeros(result.frame.bgr.size(), CV_8UC1);
   Blob blob;
   blob.label = *standard_palette().find("blue");
   blob.area_px = 4;

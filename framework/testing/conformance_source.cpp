@@ -2,6 +2,8 @@
 #include <chrono>
 #include <vector>
 
+#include <opencv2/core.hpp>
+
 #include "conformance.hpp"
 
 namespace maggic::testing {
@@ -20,6 +22,21 @@ struct Recording {
   bool ended = false;
 };
 
+void check_labels(const Frame& frame, Findings& findings) {
+  const cv::Mat& labels = frame.truth_labels;
+  if (labels.empty()) return;
+  if (labels.size() != frame.bgr.size() || labels.type() != CV_8UC1) {
+    findings.add("the true labels are not CV_8UC1 of the picture's size");
+    return;
+  }
+  double largest = 0.0;
+  cv::minMaxLoc(labels, nullptr, &largest);
+  if (largest >= static_cast<double>(standard_palette().size())) {
+    findings.add("the true labels hold {}, expected less than the palette's {}", largest,
+                 standard_palette().size());
+  }
+}
+
 /// Reads up to kMostFrames. @param reuse_buffer hands the same frame in again, its picture painted
 ///   over: a source that kept a reference to it would now hand out the paint.
 Recording record(Source& source, bool reuse_buffer, Findings& findings) {
@@ -30,6 +47,7 @@ Recording record(Source& source, bool reuse_buffer, Findings& findings) {
   while (recording.frames.size() < kMostFrames && retries < kMostRetries) {
     if (!reuse_buffer) frame = Frame{};
     frame.has_truth = false;
+    frame.truth_labels.release();
     const auto begin = steady_clock::now();
     const ReadStatus status = source.read(frame);
     if (steady_clock::now() - begin > kLongestRead) {
@@ -44,8 +62,10 @@ Recording record(Source& source, bool reuse_buffer, Findings& findings) {
       continue;
     }
     if (frame.bgr.empty()) findings.add("a frame without a picture was given as kFrame");
+    check_labels(frame, findings);
     recording.frames.push_back(frame);
     recording.frames.back().bgr = frame.bgr.clone();
+    recording.frames.back().truth_labels = frame.truth_labels.clone();
     if (reuse_buffer) frame.bgr.setTo(cv::Scalar::all(77));
   }
   if (recording.ended) {
@@ -104,6 +124,9 @@ void check_repeats(const Recording& first, const Recording& second, Findings& fi
       findings.add("opened again it gave other pictures, or it keeps the host's buffer");
     }
     if (a.captured != b.captured) findings.add("opened again it gave other capture times");
+    if (!same_picture(a.truth_labels, b.truth_labels)) {
+      findings.add("opened again it gave other true labels");
+    }
     if (!same_truth(a, b)) findings.add("opened again it gave another ground truth");
   }
 }

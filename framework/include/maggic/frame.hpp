@@ -25,6 +25,11 @@ struct Frame {
 
   bool has_truth = false;  ///< True when the source knows what is really in the picture.
   Detections truth;        ///< Exact ground truth; meaningful only when `has_truth`.
+
+  /// What really covers the centre of every pixel: CV_8UC1 of the picture's size, a label of the
+  /// pipeline's palette each, kBackground for all that is neither tag nor ball. Empty when unknown,
+  /// which is how the host hands the frame to a source.
+  cv::Mat truth_labels;
 };
 
 }  // namespace maggic

@@ -31,8 +31,8 @@ class Source : public Stage {
   virtual SourceInfo open() = 0;
 
   /// Fills `frame.bgr` (8-bit, three channels, or any other type the host converts) and
-  /// `frame.captured`, and `frame.truth` with `has_truth` if the source knows it; the host sets
-  /// `sequence`. `frame.bgr` may hold a buffer of an earlier frame: write into it if it fits (cv
+  /// `frame.captured`, and `frame.truth` with `has_truth` and `frame.truth_labels` if the source knows
+  /// them; the host sets `sequence`. `frame.bgr` may hold a buffer of an earlier frame: write into it if it fits (cv
   /// functions do), so that nothing is allocated; never keep a reference to it.
   /// May block up to about 200 ms, then answer kRetry, so that the host can end the run.
   virtual ReadStatus read(Frame& frame) = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <opencv2/core.hpp>
 
@@ -14,6 +15,8 @@ namespace {
 constexpr int kFractionBits = 6;
 constexpr int kFraction = 1 << kFractionBits;  // sub-steps of an 8-bit step
 constexpr int kBrightest = 312;  // light above 255 saturates only after the noise is added
+/// Where the light drifts, what saturates now may not do so later: kept as far as 16 bits go.
+constexpr int kBrightestKept = 511;
 constexpr int kNormalBits = 8;
 constexpr std::size_t kNormals = 1u << 16;
 
@@ -37,8 +40,7 @@ std::vector<std::int16_t> normal_numbers(std::uint64_t seed) {
   for (std::int16_t& number : numbers) {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
-    number = static_cast<std::int16_t>(std::lround((1 << kNormalBits) * radius *
-                                                    std::cos(angle)));
+    number = static_cast<std::int16_t>(std::lround((1 << kNormalBits) * radius * std::cos(angle)));
   }
   return numbers;
 }
@@ -46,10 +48,11 @@ std::vector<std::int16_t> normal_numbers(std::uint64_t seed) {
 }  // namespace
 
 CameraEffects::CameraEffects(const CameraEffectsParameters& parameters, cv::Size picture,
-                             std::uint64_t seed)
+                             cv::Mat lamps, std::uint64_t seed)
     : parameters_(parameters),
       size_(picture),
       seed_(seed),
+      lamps_(std::move(lamps)),
       kernel_(gaussian_kernel(parameters.blur_px)),
       light_(picture, CV_16SC3),
       deviation_(picture, CV_16SC3),
@@ -58,6 +61,10 @@ CameraEffects::CameraEffects(const CameraEffectsParameters& parameters, cv::Size
     const double variance = parameters.noise * parameters.noise +
                             parameters.shot_noise * parameters.shot_noise * value / 255.0;
     noise_of_.push_back(static_cast<std::int16_t>(std::lround(kFraction * std::sqrt(variance))));
+  }
+  if (parameters.drifts) {
+    drifted_light_.create(picture, CV_16SC3);
+    drifted_deviation_.create(picture, CV_16SC3);
   }
 }
 
@@ -101,6 +108,7 @@ void CameraEffects::blur_columns(cv::Rect box) {
   const double span = std::max(size_.width, size_.height) / 2.0;
   const double slope_x = parameters_.gradient * std::cos(angle) / span;
   const double slope_y = -parameters_.gradient * std::sin(angle) / span;
+  const double brightest = parameters_.drifts ? kBrightestKept : kBrightest;
   for (int y = box.y; y < box.br().y; ++y) {
     std::ranges::fill(line_, 0.0f);
     const float* from = blurred_rows_.data() + static_cast<std::size_t>(y - box.y) * width;
@@ -108,6 +116,7 @@ void CameraEffects::blur_columns(cv::Rect box) {
       for (std::size_t i = 0; i < width; ++i) line_[i] += weight * from[i];
       from += width;
     }
+    const cv::Vec3f* lamps = lamps_.empty() ? nullptr : lamps_.ptr<cv::Vec3f>(y) + box.x;
     auto* out = light_.ptr<cv::Vec3s>(y) + box.x;
     auto* deviation = deviation_.ptr<cv::Vec3s>(y) + box.x;
     for (int x = 0; x < box.width; ++x) {
@@ -115,30 +124,56 @@ void CameraEffects::blur_columns(cv::Rect box) {
           parameters_.brightness * (1.0 + slope_x * (box.x + x - 0.5 * (size_.width - 1)) +
                                     slope_y * (y - 0.5 * (size_.height - 1)));
       for (int c = 0; c < 3; ++c) {
-        const double value = line_[static_cast<std::size_t>(3 * x + c)] * light *
-                             parameters_.color_gains[static_cast<std::size_t>(2 - c)];
-        out[x][c] = static_cast<std::int16_t>(
-            kFraction * std::clamp(value, 0.0, static_cast<double>(kBrightest)) + 0.5);
-        deviation[x][c] = noise_of_[static_cast<std::size_t>(out[x][c] >> kFractionBits)];
+        double value = line_[static_cast<std::size_t>(3 * x + c)] * light *
+                       parameters_.color_gains[static_cast<std::size_t>(2 - c)];
+        if (lamps != nullptr) value *= lamps[x][c];
+        out[x][c] = static_cast<std::int16_t>(kFraction * std::clamp(value, 0.0, brightest) + 0.5);
+        deviation[x][c] =
+            noise_of_[static_cast<std::size_t>(std::min(out[x][c] >> kFractionBits, kBrightest))];
       }
     }
   }
 }
 
-void CameraEffects::expose(std::uint64_t number, cv::Mat& bgr) {
+void CameraEffects::dim(const std::array<double, 3>& gains) {
+  constexpr int kGainBits = 10;
+  std::array<int, 3> factors;  // blue, green, red
+  for (std::size_t c = 0; c < 3; ++c) {
+    factors[c] = static_cast<int>(std::lround(gains[2 - c] * (1 << kGainBits)));
+  }
+  for (int y = 0; y < size_.height; ++y) {
+    const auto* light = light_.ptr<cv::Vec3s>(y);
+    auto* out = drifted_light_.ptr<cv::Vec3s>(y);
+    auto* deviation = drifted_deviation_.ptr<cv::Vec3s>(y);
+    for (int x = 0; x < size_.width; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const int value =
+            std::min((light[x][c] * factors[static_cast<std::size_t>(c)]) >> kGainBits,
+                     kBrightest * kFraction);
+        out[x][c] = static_cast<std::int16_t>(value);
+        deviation[x][c] = noise_of_[static_cast<std::size_t>(value >> kFractionBits)];
+      }
+    }
+  }
+}
+
+void CameraEffects::expose(std::uint64_t number, const std::array<double, 3>& gains, cv::Mat& bgr) {
   bgr.create(size_, CV_8UC3);
+  if (parameters_.drifts) dim(gains);
+  const cv::Mat& seen = parameters_.drifts ? drifted_light_ : light_;
+  const cv::Mat& spread = parameters_.drifts ? drifted_deviation_ : deviation_;
   const auto width = static_cast<std::size_t>(3 * size_.width);
   // A generator of its own for each frame: a frame does not depend on those before it.
   Random random(seed_ ^ (0xd1342543de82ef95u * (number + 1)));
   for (int y = 0; y < size_.height; ++y) {
-    const std::int16_t* light = light_.ptr<std::int16_t>(y);
+    const std::int16_t* light = seen.ptr<std::int16_t>(y);
     const std::int16_t* normal = gaussian_.data() + random.next() % (kNormals - width);
-    const std::int16_t* deviation = deviation_.ptr<std::int16_t>(y);
+    const std::int16_t* deviation = spread.ptr<std::int16_t>(y);
     std::uint8_t* out = bgr.ptr<std::uint8_t>(y);
     for (std::size_t i = 0; i < width; ++i) {
       const int value = light[i] + ((deviation[i] * normal[i]) >> kNormalBits);
-      out[i] = static_cast<std::uint8_t>(
-          std::clamp((value + kFraction / 2) >> kFractionBits, 0, 255));
+      out[i] =
+          static_cast<std::uint8_t>(std::clamp((value + kFraction / 2) >> kFractionBits, 0, 255));
     }
   }
   if (parameters_.chroma_subsampling) subsample_chroma(bgr);

@@ -65,7 +65,8 @@ std::array<cv::Point2d, 4> rectangle(cv::Point2d low, cv::Point2d high) {
 
 }  // namespace
 
-Scene::Scene(const Field& field, std::vector<Rgb> colors, Label ball_color)
+Scene::Scene(const Field& field, std::vector<Rgb> colors, Label ball_color,
+             std::span<const FloorPatch> clutter)
     : field_(field),
       colors_(std::move(colors)),
       ball_color_(ball_color),
@@ -73,6 +74,10 @@ Scene::Scene(const Field& field, std::vector<Rgb> colors, Label ball_color)
       picture_(field.frame_size_px(), CV_32FC3,
                cv::Scalar(kSurroundings[2], kSurroundings[1], kSurroundings[0])) {
   draw_field();
+  for (const FloorPatch& patch : clutter) {
+    add_polygon(patch.corners_mm);
+    fill(patch.color);
+  }
   background_ = picture_.clone();
 }
 
@@ -89,9 +94,12 @@ void Scene::fill_on(const Rgb& base, const Rgb& color) {
   const cv::Vec3f step(static_cast<float>(color[2] - base[2]),
                        static_cast<float>(color[1] - base[1]),
                        static_cast<float>(color[0] - base[0]));
-  coverage_.paint([&](int x, int y, float covered) {
-    picture_.ptr<cv::Vec3f>(y)[x] += covered * step;
-  });
+  coverage_.paint(
+      [&](int x, int y, float covered) { picture_.ptr<cv::Vec3f>(y)[x] += covered * step; });
+}
+
+void Scene::label(std::span<const cv::Point2d> contour_px, Label label) {
+  if (label_picture_) label_picture_->paint(contour_px, label);
 }
 
 void Scene::add_polygon(std::span<const cv::Point2d> corners_mm) {
@@ -145,8 +153,8 @@ void Scene::draw_field() {
   for (const double sx : {-1.0, 1.0}) {
     for (const double sy : {-1.0, 1.0}) {
       const double d = kCornerTriangleMm;
-      add_polygon(std::array<cv::Point2d, 3>{{{sx * x, sy * y}, {sx * (x - d), sy * y},
-                                              {sx * x, sy * (y - d)}}});
+      add_polygon(std::array<cv::Point2d, 3>{
+          {{sx * x, sy * y}, {sx * (x - d), sy * y}, {sx * x, sy * (y - d)}}});
       fill(kWall);
     }
   }
@@ -185,6 +193,7 @@ void Scene::draw(std::span<const RobotMotion> robots, std::span<const RobotOutfi
   }
   changed_.assign(drawn_.begin(), drawn_.end());
   drawn_.clear();
+  if (label_picture_) label_picture_->clear();
 
   // From the floor upwards: the sides of robots, then the ball, then their tops, which hide the
   // sides of neighbours further out.
@@ -208,16 +217,20 @@ cv::Rect Scene::draw_body(const RobotMotion& robot) {
     top[i] = field_.to_image_px(place(robot, corners[i]), field_.robot_height_mm());
   }
   coverage_.add_contour(base);
+  label(base, kBackground);
   cv::Rect box = fill(kBodySide);
   for (std::size_t i = 0; i < 4; ++i) {
     const std::size_t next = (i + 1) % 4;
-    coverage_.add_contour(std::array<cv::Point2d, 4>{base[i], base[next], top[next], top[i]});
+    const std::array<cv::Point2d, 4> side{base[i], base[next], top[next], top[i]};
+    coverage_.add_contour(side);
+    label(side, kBackground);
     box |= fill(kBodySide);
   }
   return box;
 }
 
-cv::Rect Scene::draw_top(const RobotMotion& robot, const RobotOutfit& outfit, RobotDetection& truth) {
+cv::Rect Scene::draw_top(const RobotMotion& robot, const RobotOutfit& outfit,
+                         RobotDetection& truth) {
   const double height = field_.robot_height_mm();
   const double half = kRobotSideMm / 2.0;
   const auto add_outline = [&](auto&& corners) {
@@ -228,13 +241,14 @@ cv::Rect Scene::draw_top(const RobotMotion& robot, const RobotOutfit& outfit, Ro
     coverage_.add_contour(contour_);
   };
   add_outline(rectangle({-half, -half}, {half, half}));
+  label(contour_, kBackground);
   const cv::Rect box = fill(kBodyTop);
 
   truth = {};
   std::size_t player = 0;
   for (const TagPatch& patch : outfit.layout->patches) {
-    const Label label = patch.role == PatchRole::kTeam ? outfit.team_color
-                                                       : outfit.id.colors[player++];
+    const Label color =
+        patch.role == PatchRole::kTeam ? outfit.team_color : outfit.id.colors[player++];
     if (patch.shape == PatchShape::kDisc) {
       contour_.clear();
       for_circle(patch.center_mm, patch.size_mm.width / 2.0, 32, [&](cv::Point2d p) {
@@ -245,14 +259,15 @@ cv::Rect Scene::draw_top(const RobotMotion& robot, const RobotOutfit& outfit, Ro
       const cv::Point2d extent(patch.size_mm.width / 2.0, patch.size_mm.height / 2.0);
       add_outline(rectangle(patch.center_mm - extent, patch.center_mm + extent));
     }
-    fill_on(kBodyTop, colors_[label]);
+    fill_on(kBodyTop, colors_[color]);
+    label(contour_, color);
     const Outline outline = outline_of(contour_);
-    const TagSighting sighting{label, outline.centroid, outline.area};
+    const TagSighting sighting{color, outline.centroid, outline.area};
     if (patch.role == PatchRole::kTeam) {
       truth.tags.insert(truth.tags.begin(), sighting);
     } else {
       truth.tags.push_back(sighting);
-      truth.player_colors.push_back(label);
+      truth.player_colors.push_back(color);
     }
   }
   truth.team = outfit.team;
@@ -272,6 +287,7 @@ cv::Rect Scene::draw_ball(const BallMotion& ball, BallDetection& truth) {
   for_circle(ball.position_mm, kBallRadiusMm, 48,
              [&](cv::Point2d p) { contour_.push_back(field_.to_image_px(p, height)); });
   coverage_.add_contour(contour_);
+  label(contour_, ball_color_);
   const Outline outline = outline_of(contour_);
   const Rgb& color = colors_[ball_color_];
   const double per_radius_squared = std::numbers::pi / outline.area;

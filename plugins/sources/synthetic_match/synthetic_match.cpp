@@ -16,12 +16,39 @@
 ///         noise: 3             # standard deviation, 8-bit steps
 ///         chroma_subsampling: true
 ///
+/// `light` chooses the lamps, in the classes of the MaggicVision monograph; another `seed` hangs
+/// other lamps of the same class:
+///     even         white, one gradient across the picture (`gradient`, `gradient_direction_deg`)
+///     ideal        white and the same everywhere
+///     normal       four ceiling lamps, slightly bluish or yellowish, mild unevenness
+///     challenging  strongly coloured lamps of uneven strength, a window's patch of daylight, 50 to
+///                  70 % of the light and down to 35 % in places; brown and purple boards, cables
+///                  and scraps of paper on and around the field, never in a team colour
+/// `brightness`, `gradient` and `color_gains` are factors on top of any of them, and so is `drift`:
+/// light that changes during the match. Brightness falls to 40 % and the lamps turn warm, and back,
+/// every minute:
+///
+///     source:
+///       synthetic_match:
+///         drift:
+///           - {time_s: 0, brightness: 1.0, color_temperature_k: 6500}
+///           - {time_s: 30, brightness: 0.4, color_temperature_k: 4000}
+///           - {time_s: 60, brightness: 1.0, color_temperature_k: 6500}
+///         drift_end: repeat    # hold: the last keyframe's light stays
+///
+/// A colour temperature becomes factors on red, green, blue along the Planckian locus (Kim's
+/// cubics, linear sRGB), each relative to 6500 K and to green, so that 6500 changes nothing; in
+/// between, values follow 3u² − 2u³. `labels: true` adds the true label of every pixel to each
+/// frame: tags and ball, all else background. The sink labelled_images writes them beside their
+/// pictures; docs/normalizers.md has the command that makes a set of each class.
+///
 /// Every key of a pipeline's `field:` section stands here too (format, corners_px, lens, camera, …)
 /// and means the same, so the truth agrees with a pipeline whose `field:` says the same. Without
-/// `corners_px` the field is centred with `margin_px` left on the tight sides, which leaves room for
-/// goals and walls; a pipeline has to name the corners that gives:
-/// scale = min((width − 2·margin) / length_mm, (height − 2·margin) / width_mm),
-/// corners = ((width − 1)/2 ± scale·length_mm/2, (height − 1)/2 ± scale·width_mm/2). By default:
+/// `corners_px` the field is centred with `margin_px` left on the tight sides, which leaves room
+/// for goals and walls; a pipeline has to name the corners that gives:
+///     scale = min((width − 2·margin) / length_mm, (height − 2·margin) / width_mm)
+///     corners = ((width − 1)/2 ± scale·length_mm/2, (height − 1)/2 ± scale·width_mm/2)
+/// By default:
 ///     3v3, 640 × 480: [[64.5, 18.5], [574.5, 18.5], [574.5, 460.5], [64.5, 460.5]]
 ///     5v5, 800 × 600, margin_px 30: [[69.5, 29.5], [729.5, 29.5], [729.5, 569.5], [69.5, 569.5]]
 ///
@@ -38,6 +65,10 @@
 #include <fmt/format.h>
 
 #include "camera_effects.hpp"
+#include "clutter.hpp"
+#include "color_temperature.hpp"
+#include "drift.hpp"
+#include "lamps.hpp"
 #include "maggic/field.hpp"
 #include "maggic/plugin.hpp"
 #include "maggic/tag_layout.hpp"
@@ -49,6 +80,8 @@ namespace maggic::synthetic_match {
 enum class Pattern { kTwoTag, kThreeTag, kMixed };
 
 namespace {
+
+constexpr double kEvenGradient = 0.2;
 
 struct DyedColor {
   std::string_view name;
@@ -81,9 +114,9 @@ std::vector<Rgb> dyes_for(const Palette& palette) {
 
 Label label_of(const Palette& palette, std::string_view name) {
   if (const std::optional<Label> label = palette.find(name)) return *label;
-  throw std::invalid_argument(fmt::format(
-      "the palette has no colour '{}', which the synthetic match needs (known: {})", name,
-      palette.known_names()));
+  throw std::invalid_argument(
+      fmt::format("the palette has no colour '{}', which the synthetic match needs (known: {})",
+                  name, palette.known_names()));
 }
 
 }  // namespace
@@ -93,7 +126,8 @@ class SyntheticMatch final : public Source {
   void describe(Parameters& p) override {
     p.integer({"width", "width of the picture", "px"}, size_.width, {16, 8192});
     p.integer({"height", "height of the picture", "px"}, size_.height, {16, 8192});
-    p.number({"fps", "frames per second; frame n is captured at n/fps", "1/s"}, fps_, {1.0, 1000.0});
+    p.number({"fps", "frames per second; frame n is captured at n/fps", "1/s"}, fps_,
+             {1.0, 1000.0});
     p.integer({"frames", "how many frames to give; 0: endless"}, frames_, {0, 1'000'000'000});
     p.integer({"seed", "another number is another match"}, seed_, {0, 1'000'000'000});
     p.choice<Pattern>({"layout", "tag pattern of the robots; mixed: both in either team"}, pattern_,
@@ -102,15 +136,22 @@ class SyntheticMatch final : public Source {
                        {"mixed", Pattern::kMixed}});
     p.integer({"robots_per_team", "robots in either team; left out: 3 or 5 as the format says"},
               robots_per_team_, {1, 11});
-    p.number({"margin_px", "border around the field on the tight sides where corners_px is left "
-                           "out", "px"}, margin_px_, {0.0, 4096.0});
+    p.number({"margin_px",
+              "border around the field on the tight sides where corners_px is left "
+              "out",
+              "px"},
+             margin_px_, {0.0, 4096.0});
     p.check("margin_px", 2.0 * margin_px_ < std::min(size_.width, size_.height) - 1.0,
             fmt::format("a border of {} px leaves nothing of a picture of {} x {}: expected less "
-                        "than half the smaller side", margin_px_, size_.width, size_.height));
+                        "than half the smaller side",
+                        margin_px_, size_.width, size_.height));
     field_.describe(p);
+    describe_light(p);
     describe_camera_effects(p);
-    p.by_color({"colors", "red, green, blue of a palette colour under the lamp; colours left out "
-                          "keep a realistic one", "8-bit steps"},
+    p.by_color({"colors",
+                "red, green, blue of a palette colour under the lamp; colours left out "
+                "keep a realistic one",
+                "8-bit steps"},
                colors_, {0, 255}, [](Parameters& element, Rgb& rgb) {
                  element.numbers({"", "red, green, blue", "8-bit steps"}, rgb, {0.0, 255.0});
                });
@@ -132,9 +173,19 @@ class SyntheticMatch final : public Source {
       field_.corners_px = fitted_corners_px(field_, sized, margin_px_);
     }
     match_.emplace(match_parameters(robots));
+    const auto seed = static_cast<std::uint64_t>(seed_);
+    std::vector<FloorPatch> clutter;
+    if (light_ == LightClass::kChallenging) {
+      clutter = brown_and_purple_clutter({field_.length_mm, field_.width_mm}, seed);
+    }
     scene_ = std::make_unique<Scene>(Field(field_, size_), std::move(colors),
-                                     label_of(palette, "orange"));
-    camera_ = std::make_unique<CameraEffects>(effects_, size_, static_cast<std::uint64_t>(seed_));
+                                     label_of(palette, "orange"), clutter);
+    if (labels_) scene_->keep_labels();
+    drift_ = Drift(keyframes_, drift_end_);
+    effects_.drifts = !drift_.is_still();
+    effects_.gradient = gradient_.value_or(light_ == LightClass::kEven ? kEvenGradient : 0.0);
+    camera_ = std::make_unique<CameraEffects>(effects_, size_,
+                                              light_over_picture(light_, size_, seed), seed);
     camera_->develop(scene_->picture(), cv::Rect({}, size_));
   }
 
@@ -154,19 +205,54 @@ class SyntheticMatch final : public Source {
     scene_->draw(match_->robots(), outfits_, match_->ball(), frame.truth);
     frame.has_truth = true;
     for (const cv::Rect& box : scene_->changed()) camera_->develop(scene_->picture(), box);
-    camera_->expose(next_, frame.bgr);
+    camera_->expose(next_, drift_.gains_at(static_cast<double>(next_) / fps_), frame.bgr);
+    if (labels_) scene_->labels().copyTo(frame.truth_labels);
     ++next_;
     return ReadStatus::kFrame;
   }
 
  private:
+  void describe_light(Parameters& p) {
+    p.boolean({"labels", "give the true label of every pixel with each frame"}, labels_);
+    p.choice<LightClass>({"light",
+                          "lamps of the hall; challenging also strews brown and purple "
+                          "things on and around the field"},
+                         light_,
+                         {{"even", LightClass::kEven},
+                          {"ideal", LightClass::kIdeal},
+                          {"normal", LightClass::kNormal},
+                          {"challenging", LightClass::kChallenging}});
+    p.list({"drift", "moments between which the light changes smoothly; none: it stays"},
+           keyframes_, {0, 1000}, describe_keyframe);
+    for (std::size_t i = 1; i < keyframes_.size(); ++i) {
+      p.check("drift", keyframes_[i - 1].time_s < keyframes_[i].time_s,
+              fmt::format("time_s {} follows {}, expected ascending times", keyframes_[i].time_s,
+                          keyframes_[i - 1].time_s));
+    }
+    p.choice<DriftEnd>({"drift_end",
+                        "after the last of them: hold its light, or repeat from time "
+                        "0 on"},
+                       drift_end_, {{"hold", DriftEnd::kHold}, {"repeat", DriftEnd::kRepeat}});
+  }
+
+  static void describe_keyframe(Parameters& p, DriftKeyframe& keyframe) {
+    p.number({"time_s", "since the first frame", "s", Presence::kRequired}, keyframe.time_s,
+             {0.0, 1e6});
+    p.number({"brightness", "factor on all light"}, keyframe.brightness, {0.0, 4.0});
+    p.number({"color_temperature_k", "of the lamps, seen by a camera balanced for 6500", "K"},
+             keyframe.color_temperature_k, {kLowestKelvin, kHighestKelvin});
+  }
+
   void describe_camera_effects(Parameters& p) {
-    p.number({"brightness", "of the lamp; above 1 bright colours saturate"}, effects_.brightness,
-             {0.05, 4.0});
-    p.number({"gradient", "how much brighter the bright end of the picture is than its middle"},
-             effects_.gradient, {0.0, 0.9});
+    p.number({"brightness", "factor on the light; above 1 bright colours saturate"},
+             effects_.brightness, {0.05, 4.0});
+    p.number({"gradient",
+              "how much brighter the bright end of the picture is than its middle; "
+              "left out: 0.2 where light is even, otherwise 0"},
+             gradient_, {0.0, 0.9});
     p.number({"gradient_direction_deg", "where the bright end is, counter-clockwise from the right",
-              "degrees"}, effects_.gradient_direction_deg, {-360.0, 360.0});
+              "degrees"},
+             effects_.gradient_direction_deg, {-360.0, 360.0});
     p.numbers({"color_gains", "colour cast: factors for red, green, blue"}, effects_.color_gains,
               {0.1, 4.0});
     p.number({"blur_px", "standard deviation of the lens's blur", "px"}, effects_.blur_px,
@@ -174,7 +260,8 @@ class SyntheticMatch final : public Source {
     p.number({"noise", "standard deviation of the sensor's noise in the dark", "8-bit steps"},
              effects_.noise, {0.0, 40.0});
     p.number({"shot_noise", "standard deviation added (in squares) by the light itself at 255",
-              "8-bit steps"}, effects_.shot_noise, {0.0, 40.0});
+              "8-bit steps"},
+             effects_.shot_noise, {0.0, 40.0});
     p.boolean({"chroma_subsampling", "share colour among 2 x 2 pixels, as JPEG and YUV 4:2:0 do"},
               effects_.chroma_subsampling);
   }
@@ -187,9 +274,8 @@ class SyntheticMatch final : public Source {
                          [id](const RobotOutfit& outfit) { return outfit.id.id == id; });
     };
     const auto dress_one = [&](const TagLayout& layout) {
-      const auto free = std::ranges::find_if(layout.ids, [&](const TagId& id) {
-        return !taken(id.id);
-      });
+      const auto free =
+          std::ranges::find_if(layout.ids, [&](const TagId& id) { return !taken(id.id); });
       if (free == layout.ids.end()) return false;
       outfits_.push_back({team, *free, &layout, team_color});
       return true;
@@ -200,7 +286,8 @@ class SyntheticMatch final : public Source {
       if (pattern_ == Pattern::kMixed && dress_one(three_tag_)) continue;
       throw std::invalid_argument(
           fmt::format("robots_per_team is {}, expected at most {}: so many ids the tag pattern "
-                      "tells apart in this palette", robots, i));
+                      "tells apart in this palette",
+                      robots, i));
     }
     std::sort(outfits_.begin() + static_cast<std::ptrdiff_t>(first), outfits_.end(),
               [](const RobotOutfit& a, const RobotOutfit& b) { return a.id.id < b.id.id; });
@@ -214,7 +301,8 @@ class SyntheticMatch final : public Source {
     match.seed = static_cast<std::uint64_t>(seed_);
     match.frame_time_s = 1.0 / fps_;
     match.parallax_gain = std::abs((field_.camera_height_mm - field_.ball_height_mm) /
-                                       (field_.camera_height_mm - field_.robot_height_mm) - 1.0);
+                                       (field_.camera_height_mm - field_.robot_height_mm) -
+                                   1.0);
     match.below_camera_mm = field_.camera_position_mm * (field_.half_time ? -1.0 : 1.0);
     return match;
   }
@@ -227,6 +315,11 @@ class SyntheticMatch final : public Source {
   std::optional<int> robots_per_team_;
   double margin_px_ = 19.0;
   FieldParameters field_;
+  bool labels_ = false;
+  LightClass light_ = LightClass::kEven;
+  std::vector<DriftKeyframe> keyframes_;
+  DriftEnd drift_end_ = DriftEnd::kHold;
+  std::optional<double> gradient_;
   CameraEffectsParameters effects_;
   std::vector<std::pair<Label, Rgb>> colors_;
 
@@ -236,6 +329,7 @@ class SyntheticMatch final : public Source {
   std::optional<Match> match_;
   std::unique_ptr<Scene> scene_;
   std::unique_ptr<CameraEffects> camera_;
+  Drift drift_{{}, DriftEnd::kHold};
   std::uint64_t next_ = 0;
 };
 

@@ -75,6 +75,7 @@ std::string parameters_of(const std::string& plugin, const Workspace& workspace)
       {"camera", [] { return std::string("device: 4321"); }},  // one that is not there
       {"images", [&] { return fmt::format("path: '{}'", workspace.pictures()); }},
       {"jsonl", [&] { return fmt::format("path: '{}'", workspace.path("out.jsonl")); }},
+      {"labelled_images", [&] { return fmt::format("path: '{}'", workspace.path("set")); }},
       {"overlay_video", [&] { return fmt::format("path: '{}'", workspace.path("out.mp4")); }},
       {"synthetic_match", [] { return std::string("frames: 12"); }},
       {"yuv_boxes",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -67,12 +68,21 @@ class StageMaker {
   }
 
  private:
+  /// An exception of the plugin's own type must not outlive the plugin, so it becomes one of ours.
   void configure(Stage& stage, const Node& parameters) const {
     std::vector<Mistake> mistakes;
-    read_parameters(
-        parameters, palette_, [&](Parameters& p) { stage.describe(p); }, mistakes);
+    std::string reason;
+    try {
+      read_parameters(
+          parameters, palette_, [&](Parameters& p) { stage.describe(p); }, mistakes);
+      if (mistakes.empty()) return stage.prepare({palette_, reporter_});
+    } catch (const std::exception& error) {
+      reason = error.what();
+    } catch (...) {
+      reason = "an exception that is not a std::exception";
+    }
     if (!mistakes.empty()) throw ConfigError(std::move(mistakes));
-    stage.prepare({palette_, reporter_});
+    throw std::invalid_argument(fmt::format("a stage cannot be prepared: {}", reason));
   }
 
   const Node& document_;
@@ -167,9 +177,9 @@ ExitCode sweep_command(const SweepOptions& options, const CommandLine& line) {
   PluginRegistry registry = make_registry(line);
   Console console(stderr);
   ConsoleReporter reporter(console);
-  const BuiltPipeline built = build_pipeline(request, registry, reporter);
-  const Palette& palette = built.pipeline->palette();
-  const NamedStage<Segmenter>& segmenter = built.pipeline->parts().segmenter;
+  const PipelineParts parts = build_parts(request, registry, reporter);
+  const Palette& palette = parts.palette;
+  const NamedStage<Segmenter>& segmenter = parts.segmenter;
   check_segmenter(segmenter, palette);
   std::vector<Mistake> notes;
   const Node document = merged_document(request, notes);

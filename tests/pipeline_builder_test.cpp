@@ -115,6 +115,16 @@ TEST_F(PipelineBuilder, NeedsNoNormalizerAndNoSinks) {
   EXPECT_THAT(built.sinks, IsEmpty());
 }
 
+TEST_F(PipelineBuilder, MakesTheStagesOfTheFramePathAlone) {
+  const PipelineParts parts = build_parts(request(), testing::registry(), reporter_);
+  EXPECT_EQ(parts.normalizer.name, "none");
+  EXPECT_EQ(parts.segmenter.name, "hue_pivots");
+  EXPECT_NE(parts.tracker.stage, nullptr);
+  EXPECT_THROW(build_parts(request("source: synthetic_match\nsegmenter: hue_pivots\n"),
+                           testing::registry(), reporter_),
+               ConfigError);
+}
+
 TEST_F(PipelineBuilder, GivesStagesWhatOutlivesTheirMoving) {
   BuiltPipeline built = build(request());
   BuiltPipeline elsewhere = std::move(built);

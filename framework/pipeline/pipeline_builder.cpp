@@ -31,6 +31,24 @@ class Assembly {
 
   /// @throws ConfigError with every mistake.
   BuiltPipeline build(const std::vector<UnusedBlock>& unused) {
+    BuiltPipeline built;
+    PipelineParts parts = read_stages(unused, built);
+    if (mistakes_.empty()) built.pipeline = make_pipeline(std::move(parts));
+    if (!mistakes_.empty()) throw ConfigError(std::move(mistakes_));
+    return built;
+  }
+
+  /// @throws ConfigError with every mistake.
+  PipelineParts build_parts(const std::vector<UnusedBlock>& unused) {
+    BuiltPipeline others;
+    PipelineParts parts = read_stages(unused, others);
+    if (!mistakes_.empty()) throw ConfigError(std::move(mistakes_));
+    return parts;
+  }
+
+ private:
+  /// What belongs to no frame path goes into `built`.
+  PipelineParts read_stages(const std::vector<UnusedBlock>& unused, BuiltPipeline& built) {
     if (document_.kind != Node::Kind::kMap) {
       note(document_.place,
            fmt::format("found {}, expected a pipeline with the sections {}",
@@ -43,7 +61,6 @@ class Assembly {
     add_plugin_folders();
     StageBuilder stages(parts.palette, registry_, reporter_, mistakes_);
 
-    BuiltPipeline built;
     built.source = build_stage<Source>(stages);
     parts.normalizer = build_stage<Normalizer>(stages);
     parts.segmenter = build_stage<Segmenter>(stages);
@@ -53,13 +70,9 @@ class Assembly {
     parts.tracker = build_stage<Tracker>(stages);
     built.sinks = build_sinks(stages);
     built.notes = check_unused(unused, stages);
-
-    if (mistakes_.empty()) built.pipeline = make_pipeline(std::move(parts));
-    if (!mistakes_.empty()) throw ConfigError(std::move(mistakes_));
-    return built;
+    return parts;
   }
 
- private:
   void refuse_unknown_sections() {
     for (const Node::Entry& entry : document_.entries) {
       if (std::ranges::find(known_sections(), entry.key) == known_sections().end()) {
@@ -214,6 +227,12 @@ BuiltPipeline build_pipeline(const PipelineRequest& request, PluginRegistry& reg
                              Reporter& reporter) {
   const MergedRequest merged = merge_request(request);
   return Assembly(merged.document, registry, reporter, merged.mistakes).build(merged.unused);
+}
+
+PipelineParts build_parts(const PipelineRequest& request, PluginRegistry& registry,
+                          Reporter& reporter) {
+  const MergedRequest merged = merge_request(request);
+  return Assembly(merged.document, registry, reporter, merged.mistakes).build_parts(merged.unused);
 }
 
 BuiltPipeline build_pipeline(const Node& document, PluginRegistry& registry, Reporter& reporter) {

@@ -16,8 +16,8 @@
 /// A calibration file has the same sections. Its numbers for a plugin apply when the pipeline runs
 /// that plugin; blocks for other plugins are checked, unused, and mentioned in a note, so one
 /// calibration file can serve an A/B test. It never changes which plugin runs. Its sinks' numbers
-/// apply to the pipeline's sinks of that plugin, its plugin folders are added to the pipeline's, and
-/// sections it leaves empty change nothing.
+/// apply to the pipeline's sinks of that plugin, its plugin folders are added to the pipeline's,
+/// and sections it leaves empty change nothing.
 
 #include <filesystem>
 #include <memory>
@@ -60,7 +60,13 @@ Node merged_document(const PipelineRequest& request, std::vector<Mistake>& notes
 BuiltPipeline build_pipeline(const PipelineRequest& request, PluginRegistry& registry,
                              Reporter& reporter);
 
-/// The same from a document, for tools and tests.
+/// The frame path's stages, palette and field alone, ready to work, without the colour table whose
+/// compilation takes longest: for tools that ask the stages themselves.
+/// @throws ConfigError with every mistake of the whole file, as build_pipeline does.
+PipelineParts build_parts(const PipelineRequest& request, PluginRegistry& registry,
+                          Reporter& reporter);
+
+/// A pipeline from a document, for tools and tests.
 BuiltPipeline build_pipeline(const Node& document, PluginRegistry& registry, Reporter& reporter);
 
 }  // namespace maggic

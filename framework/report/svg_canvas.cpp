@@ -91,6 +91,7 @@ void SvgCanvas::add_points(std::span<const cv::Point2d> points) {
 }
 
 void SvgCanvas::add_stroke(const Stroke& stroke) {
+  if (stroke.width <= 0.0) return;
   fmt::format_to(std::back_inserter(svg_), " stroke=\"{}\" stroke-width=\"{}\"", stroke.color,
                  svg_number(stroke.width, 2));
   if (!stroke.dashes.empty()) svg_ += fmt::format(" stroke-dasharray=\"{}\"", stroke.dashes);

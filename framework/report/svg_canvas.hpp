@@ -27,7 +27,7 @@ class SvgCanvas {
 
   struct Stroke {
     std::string color = "#000000";
-    double width = 1.0;
+    double width = 1.0;            ///< 0: none, where an outline is filled.
     std::string_view dashes = {};  ///< As `stroke-dasharray`; empty: solid.
   };
 

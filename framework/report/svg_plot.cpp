@@ -63,6 +63,27 @@ void draw_marker(SvgCanvas& canvas, cv::Point2d at, std::size_t marker, const st
   }
 }
 
+void draw_arrow(SvgCanvas& canvas, cv::Point2d from, cv::Point2d to, const std::string& color) {
+  constexpr double kHeadLength = 6.5;
+  constexpr double kHeadHalfWidth = 3.0;
+  constexpr double kShaftHalfWidth = 0.7;
+  constexpr double kShortest = 2.5;  // a shorter one shows no direction
+  const SvgCanvas::Stroke none{color, 0.0};
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  if (length < kShortest) return canvas.circle(from, 1.6, color, none);
+  const cv::Point2d along = (to - from) / length;
+  const cv::Point2d across(-along.y, along.x);
+  // A short arrow is all head, and a small one.
+  const double head = std::min(kHeadLength, length);
+  const cv::Point2d head_base = to - head * along;
+  const cv::Point2d wing = kHeadHalfWidth * std::sqrt(head / kHeadLength) * across;
+  const cv::Point2d shaft = kShaftHalfWidth * across;
+  const std::array<cv::Point2d, 7> outline{from + shaft, head_base + shaft, head_base + wing,
+                                           to,           head_base - wing,  head_base - shaft,
+                                           from - shaft};
+  canvas.polygon(outline, color, none);
+}
+
 /// How one meaning is drawn everywhere.
 struct LineStyle {
   std::string name;
@@ -181,6 +202,10 @@ class Panel {
     draw_axes(canvas);
     canvas.begin_clip({area_.x - kClipRoom, area_.y - kClipRoom, area_.width + 2.0 * kClipRoom,
                        area_.height + 2.0 * kClipRoom});
+    for (const PlotArrow& arrow : plot_.arrows) {
+      if (!is_drawable(arrow.from) || !is_drawable(arrow.to)) continue;
+      draw_arrow(canvas, place(arrow.from), place(arrow.to), svg_color(visible(arrow.color)));
+    }
     for (std::size_t i = 0; i < plot_.series.size(); ++i) draw_series(canvas, i);
     canvas.end_clip();
   }
@@ -196,7 +221,15 @@ class Panel {
     for (const PlotSeries& series : plot_.series) {
       for (const cv::Point2d& point : series.points) values.push_back(coordinate(point));
     }
+    for (const PlotArrow& arrow : plot_.arrows) {
+      values.push_back(coordinate(arrow.from));
+      values.push_back(coordinate(arrow.to));
+    }
     return values;
+  }
+
+  bool is_drawable(cv::Point2d point) const {
+    return x_.is_drawable(point.x) && y_.is_drawable(point.y);
   }
 
   cv::Point2d place(cv::Point2d point) const {
@@ -250,7 +283,7 @@ class Panel {
     const LineStyle style = style_of(plot_, series);
     std::vector<cv::Point2d> stretch;
     for (const cv::Point2d& point : plot_.series[series].points) {
-      if (x_.is_drawable(point.x) && y_.is_drawable(point.y)) {
+      if (is_drawable(point)) {
         stretch.push_back(place(point));
       } else {
         draw_stretch(canvas, stretch, style);

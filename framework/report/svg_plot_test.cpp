@@ -103,6 +103,14 @@ TEST(SvgPlot, ShadesAndNamesBands) {
   EXPECT_THAT(texts(to_svg(plot)), ::testing::Contains("usable"));
 }
 
+TEST(SvgPlot, DrawsArrowsAndWhatDoesNotMoveAsADot) {
+  LinePlot plot = two_lines();
+  plot.series.clear();
+  plot.arrows = {{{10, 10}, {200, 90}, {}}, {{10, 10}, {10, 10}, {}}, {{10, 10}, {kNan, 10}, {}}};
+  EXPECT_EQ(named(to_svg(plot), "polygon").size(), 1u);
+  EXPECT_EQ(named(to_svg(plot), "circle").size(), 1u);
+}
+
 TEST(SvgPlot, WritesDecadesOnALogarithmicAxis) {
   LinePlot plot = two_lines();
   plot.y_axis = {"time", "ms", {}, {}, true};

@@ -50,12 +50,20 @@ struct PlotBand {
   DisplayColor color{120, 170, 120};
 };
 
+/// From one place of a plot to another. Where both are drawn almost on one pixel it is a dot.
+struct PlotArrow {
+  cv::Point2d from;  ///< In the axes' units, as `to`; one that is not finite is left out.
+  cv::Point2d to;
+  DisplayColor color;  ///< Darkened like that of a series.
+};
+
 struct LinePlot {
   std::string title;
   PlotAxis x_axis;
   PlotAxis y_axis;
   std::vector<PlotSeries> series;
   std::vector<PlotBand> bands;
+  std::vector<PlotArrow> arrows;
   cv::Size size_px{640, 400};  ///< Of the whole picture; at least 200 × 150 is drawn.
 };
 

@@ -197,6 +197,7 @@ ExitCode sweep_command(const SweepOptions& options, const CommandLine& line) {
   make_folder(options.output);
 
   std::vector<const ColorNormalizer*> by_color;
+  by_color.reserve(normalizers.size());
   for (const SweptNormalizer& normalizer : normalizers) by_color.push_back(normalizer.by_color);
   StagePtr<Segmenter> current;
   const std::vector<LabelSweep> swept =

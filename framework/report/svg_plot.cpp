@@ -349,8 +349,9 @@ std::string to_svg(const PlotGrid& grid) {
   canvas.text({width / 2.0, 22.0}, grid.title,
               {.size = kTitleSize + 1.0, .anchor = SvgCanvas::Anchor::kMiddle, .bold = true});
   for (std::size_t i = 0; i < grid.plots.size(); ++i) {
+    const std::size_t row = i / columns;
     const cv::Point2d corner(static_cast<double>(i % columns) * panel.width,
-                             top + static_cast<double>(i / columns) * panel.height);
+                             top + static_cast<double>(row) * panel.height);
     Panel(grid.plots[i], {corner, cv::Size2d(panel)}).draw(canvas);
   }
   legend.draw(canvas, legend_top, width);

@@ -266,8 +266,8 @@ TEST(TrueLabels, HaveTheCentroidsAndAreasOfTheTruth) {
       "{width: 800, height: 600, robots_per_team: 1, labels: true, light: challenging}");
   source->open();
   Frame frame;
-  for (int i = 0; i < 4; ++i) {
-    for (int k = 0; k < 30; ++k) source->read(frame);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 15; ++k) source->read(frame);
     std::map<std::pair<Label, int>, Region> regions;
     const auto nearest_robot = [&](cv::Point2d p) {
       const auto distance = [&](const RobotDetection& robot) {

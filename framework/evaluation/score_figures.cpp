@@ -15,6 +15,12 @@
 namespace maggic {
 namespace {
 
+int digits_of(const Figure& figure) { return figure.unit.empty() ? 0 : figure.unit == "%" ? 2 : 3; }
+
+std::string with_unit(std::string number, const Figure& figure) {
+  return figure.unit.empty() ? number : number + ' ' + figure.unit;
+}
+
 std::optional<double> percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return std::nullopt;
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
@@ -146,6 +152,24 @@ Requirement parse_requirement(std::string_view item) {
 }
 
 }  // namespace
+
+std::string number_text(const Figure& figure) {
+  return figure.value ? fmt::format("{:.{}f}", *figure.value, digits_of(figure)) : "-";
+}
+
+std::string value_text(const Figure& figure) {
+  return figure.value ? with_unit(number_text(figure), figure) : "-";
+}
+
+std::string difference_text(const Figure& figure, const Figure& other) {
+  if (!figure.value || !other.value) return {};
+  const double difference = *figure.value - *other.value;
+  const int digits = digits_of(figure);
+  if (std::abs(difference) < 0.5 * std::pow(10.0, -digits)) return "same";
+  const bool better = (difference > 0.0) == (figure.better == Better::kHigher);
+  return with_unit(fmt::format("{:+.{}f}", difference, digits), figure) +
+         (better ? ", better" : ", worse");
+}
 
 std::vector<Figure> robot_figures(const ObjectTally& tally) {
   Sheet sheet;

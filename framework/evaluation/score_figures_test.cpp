@@ -90,6 +90,22 @@ TEST(CornerError, IsTheFarthestOfTheFour) {
   EXPECT_FALSE(corner_error_px(Field(parameters, {640, 480}), Truth()));
 }
 
+TEST(ScoreFigures, AreWrittenOutAndComparedInWords) {
+  const Figure seen{"seen", 98.0, "%", Better::kHigher, ""};
+  const Figure less{"seen", 97.5, "%", Better::kHigher, ""};
+  const Figure error{"position_rmse_mm", 1.25, "mm", Better::kLower, ""};
+  const Figure smaller{"position_rmse_mm", 1.0, "mm", Better::kLower, ""};
+  const Figure nothing{"seen", std::nullopt, "%", Better::kHigher, ""};
+  EXPECT_EQ(value_text(seen), "98.00 %");
+  EXPECT_EQ(value_text(error), "1.250 mm");
+  EXPECT_EQ(value_text(Figure{"swaps", 2.0, "", Better::kLower, ""}), "2");
+  EXPECT_EQ(value_text(nothing), "-");
+  EXPECT_EQ(difference_text(less, seen), "-0.50 %, worse");
+  EXPECT_EQ(difference_text(smaller, error), "-0.250 mm, better");
+  EXPECT_EQ(difference_text(seen, seen), "same");
+  EXPECT_EQ(difference_text(seen, nothing), "");
+}
+
 TEST(Requirements, AreMetAtTheLimitInTheFiguresOwnDirection) {
   const auto figures = figures_of(half_right());
   EXPECT_THAT(unmet(parse_requirements("seen=50,position_rmse_mm=3,false=0"), figures), IsEmpty());

@@ -1,7 +1,5 @@
 /// `maggic compare`: several pipelines on the same frames, against the truth and each other.
 
-#include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -14,19 +12,18 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/compare_json.hpp"
 #include "app/compare_report.hpp"
 #include "app/console.hpp"
 #include "app/console_reporter.hpp"
+#include "app/contestant.hpp"
 #include "app/pipeline_options.hpp"
 #include "app/progress.hpp"
-#include "app/score_json.hpp"
 #include "app/score_report.hpp"
 #include "app/stop_signals.hpp"
-#include "app/truth_option.hpp"
 #include "maggic/atomic_file.hpp"
 #include "maggic/atomic_folder.hpp"
 #include "maggic/comparison_report.hpp"
-#include "maggic/label_picture.hpp"
 #include "maggic/overlay.hpp"
 #include "maggic/picture_row.hpp"
 #include "maggic/png.hpp"
@@ -40,80 +37,9 @@ constexpr std::uint64_t kFramesApart = 30;
 constexpr std::string_view kReportFile = "report.html";
 constexpr std::string_view kPictureStart = "different_frame_";
 
-/// One of the pipelines that are compared.
-struct Contestant {
-  std::string name;
-  PipelineRequest request;
-  Node document;
-  BuiltPipeline built;
-  TruthOption truth;
-};
-
 bool is_report_file(std::string_view name) {
   return name == kReportFile || (name.starts_with(kPictureStart) && name.ends_with(".png"));
 }
-
-std::optional<std::string> calibration_for(const CompareOptions& options, std::size_t pipeline) {
-  const std::size_t count = options.calibrations.size();
-  if (count == 0) return std::nullopt;
-  return options.calibrations[count == 1 ? 0 : pipeline];
-}
-
-void check_counts(const CompareOptions& options) {
-  const std::size_t pipelines = options.pipelines.size();
-  if (pipelines < 2) {
-    throw std::invalid_argument("compare: found one pipeline, expected two or more");
-  }
-  const std::size_t calibrations = options.calibrations.size();
-  if (calibrations > 1 && calibrations != pipelines) {
-    throw std::invalid_argument(
-        fmt::format("--calibration: found {} for {} pipelines, expected none, one for all, or one "
-                    "for each",
-                    calibrations, pipelines));
-  }
-}
-
-std::string name_for(const PipelineRequest& request, std::size_t index, bool own_calibration) {
-  // The letter keeps one pipeline with two calibrations apart.
-  std::string name =
-      fmt::format("{} {}", static_cast<char>('A' + index % 26), request.pipeline.stem().string());
-  if (own_calibration && request.calibration) {
-    name += fmt::format(" ({})", request.calibration->stem().string());
-  }
-  return name;
-}
-
-std::vector<Contestant> build(const CompareOptions& options, PluginRegistry& registry,
-                              Console& console, Reporter& reporter) {
-  std::vector<Contestant> contestants;
-  for (std::size_t i = 0; i < options.pipelines.size(); ++i) {
-    PipelineOptions given = options.common;
-    given.pipeline = options.pipelines[i];
-    given.calibration = calibration_for(options, i);
-    PipelineRequest request = make_request(given);
-    BuiltPipeline built = build_pipeline(request, registry, reporter);
-    built.sinks.clear();
-    for (const Mistake& note : built.notes) {
-      console.line(note.to_string(), Console::Tone::kWarning, "note: ");
-    }
-    std::vector<Mistake> known_notes;
-    Node document = merged_document(request, known_notes);
-    TruthOption truth(options.truth, built.pipeline->palette());
-    std::string name = name_for(request, i, options.calibrations.size() > 1);
-    contestants.push_back({std::move(name), std::move(request), std::move(document),
-                           std::move(built), std::move(truth)});
-  }
-  return contestants;
-}
-
-/// Everything that is kept of the frames.
-struct Outcome {
-  Comparison comparison;
-  DifferentFrames different{kDifferentFrames, kFramesApart};
-  cv::Mat segmented;  ///< The most different frame, as it came.
-  std::uint64_t segmented_sequence = 0;
-  std::vector<RunSummary> summaries;
-};
 
 cv::Mat drawn(const std::vector<Contestant>& contestants,
               std::span<const FrameResult* const> results) {
@@ -133,12 +59,12 @@ cv::Mat drawn(const std::vector<Contestant>& contestants,
 
 Outcome run_all(std::vector<Contestant>& contestants, const CompareOptions& options,
                 Console& console, ConsoleReporter& reporter) {
-  Outcome outcome{Comparison(contestants.size(), contestants.front().truth.tolerance())};
+  Outcome outcome{Comparison(contestants.size(), contestants.front().truth.tolerance()),
+                  DifferentFrames(kDifferentFrames, kFramesApart)};
   std::vector<Pipeline*> pipelines;
   for (Contestant& contestant : contestants) pipelines.push_back(contestant.built.pipeline.get());
 
   Progress progress(console, options.frames);
-  double widest = -1.0;
   outcome.summaries = run_side_by_side(
       contestants.front().built.source, pipelines, options.frames, stop_on_signals(), reporter,
       [&](std::span<const FrameResult* const> results, std::span<const RunSummary> so_far) {
@@ -152,10 +78,10 @@ Outcome run_all(std::vector<Contestant>& contestants, const CompareOptions& opti
         }
         if (any == nullptr) return;
         progress.update(*any, so_far.front(), so_far.front().source.frame_count);
-        const double difference = outcome.comparison.add(entries);
+        const FrameDifference difference = outcome.comparison.add(entries);
         outcome.different.offer(any->frame.sequence, difference, [&] {
-          if (difference > widest) {
-            widest = difference;
+          const auto& kept = outcome.different.kept();
+          if (outcome.segmented.empty() || kept.empty() || difference > kept.front().difference) {
             outcome.segmented = any->frame.bgr.clone();
             outcome.segmented_sequence = any->frame.sequence;
           }
@@ -186,71 +112,6 @@ std::vector<ComparedPipeline> compared(const std::vector<Contestant>& contestant
   return pipelines;
 }
 
-MethodLabels labels_of(const Contestant& contestant, const cv::Mat& bgr,
-                       const std::vector<int>& thresholds, PluginRegistry& registry,
-                       Reporter& reporter) {
-  const Palette& palette = contestant.built.pipeline->palette();
-  const PipelineParts& parts = contestant.built.pipeline->parts();
-  const auto png_of = [&](Segmenter& segmenter) {
-    const cv::Mat labels = label_picture(bgr, *parts.normalizer.stage, segmenter, palette.size());
-    return png_bytes(colored_labels(labels, palette));
-  };
-  MethodLabels method{contestant.name, {}};
-  const Node* section = contestant.document.find("segmenter");
-  for (const int threshold : thresholds) {
-    const auto segmenter =
-        segmenter_with_threshold(*section, threshold, registry, {palette, reporter});
-    if (!segmenter) break;
-    method.pngs.push_back(png_of(*segmenter));
-  }
-  if (method.pngs.empty()) method.pngs.push_back(png_of(*parts.segmenter.stage));
-  return method;
-}
-
-OrderedJson text_or_null(const std::optional<std::filesystem::path>& path) {
-  return path ? OrderedJson(path->string()) : OrderedJson();
-}
-
-OrderedJson differences_json(const std::vector<Figure>& figures,
-                             const std::vector<Figure>& of_first) {
-  OrderedJson json = OrderedJson::object();
-  std::vector<Figure> differences = figures;
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    const bool both = figures[i].value && of_first[i].value;
-    differences[i].value =
-        both ? std::optional(*figures[i].value - *of_first[i].value) : std::nullopt;
-  }
-  return to_json(differences);
-}
-
-OrderedJson comparison_json(const std::vector<Contestant>& contestants,
-                            const std::vector<ComparedPipeline>& pipelines, const Outcome& outcome,
-                            const CompareOptions& options,
-                            const std::optional<std::string>& source) {
-  OrderedJson json = {{"schema", "maggic-compare-1"},
-                      {"source", source ? OrderedJson(*source) : OrderedJson()},
-                      {"truth", text_or_null(options.truth)},
-                      {"tolerance", to_json(outcome.comparison.against_truth(0).tolerance())},
-                      {"pipelines", OrderedJson::array()},
-                      {"different_frames", OrderedJson::array()}};
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    const ComparedPipeline& pipeline = pipelines[i];
-    json["pipelines"].push_back(
-        {{"name", pipeline.name},
-         {"pipeline", contestants[i].request.pipeline.string()},
-         {"calibration", text_or_null(contestants[i].request.calibration)},
-         {"frames", frames_json(outcome.comparison.against_truth(i), outcome.summaries[i])},
-         {"figures", to_json(pipeline.figures)},
-         {"differences",
-          i == 0 ? OrderedJson() : differences_json(pipeline.figures, pipelines.front().figures)},
-         {"agreement", i == 0 ? OrderedJson() : to_json(pipeline.agreement)}});
-  }
-  for (const DifferentFrames::Kept& kept : outcome.different.kept()) {
-    json["different_frames"].push_back({{"frame", kept.sequence}, {"difference", kept.difference}});
-  }
-  return json;
-}
-
 std::vector<std::pair<std::string, std::string>> facts_of(
     const std::vector<Contestant>& contestants, const Outcome& outcome,
     const CompareOptions& options, const std::optional<std::string>& source, bool has_truth) {
@@ -279,11 +140,13 @@ void write_report(const std::filesystem::path& folder, ComparisonReport& report,
                   const std::vector<Contestant>& contestants, const Outcome& outcome,
                   PluginRegistry& registry, Reporter& reporter) {
   for (const DifferentFrames::Kept& kept : outcome.different.kept()) {
-    if (kept.difference <= 0.0 || kept.picture.empty()) continue;
+    if (kept.difference == FrameDifference() || kept.picture.empty()) continue;
     std::string png = png_bytes(kept.picture);
     write_file_atomically(folder / fmt::format("{}{:06}.png", kPictureStart, kept.sequence), png);
     report.different_frames.push_back(
-        {fmt::format("frame {}, difference {:.3f}", kept.sequence, kept.difference),
+        {fmt::format("frame {}: {} object{} unlike, the others {:.2f} mm apart (RMSE)",
+                     kept.sequence, kept.difference.objects,
+                     kept.difference.objects == 1 ? "" : "s", kept.difference.apart_mm),
          std::move(png)});
   }
   if (!outcome.segmented.empty()) {
@@ -322,11 +185,10 @@ std::string first_failure(const std::vector<Contestant>& contestants, const Outc
 }  // namespace
 
 ExitCode compare_command(const CompareOptions& options, const CommandLine& line) {
-  check_counts(options);
   PluginRegistry registry = make_registry(line);
   Console console(stderr);
   ConsoleReporter reporter(console);
-  std::vector<Contestant> contestants = build(options, registry, console, reporter);
+  std::vector<Contestant> contestants = build_contestants(options, registry, console, reporter);
   const std::optional<std::string> source = source_path(contestants.front().document);
   if (const std::string doubt = contestants.front().truth.doubt_about(source); !doubt.empty()) {
     console.line(doubt, Console::Tone::kWarning, "warning: ");
@@ -357,19 +219,19 @@ ExitCode compare_command(const CompareOptions& options, const CommandLine& line)
   report.thresholds = options.thresholds;
 
   fmt::print(
-      "{} frames through {} pipelines, tolerance {}\n\n{}\nagreement with {}, what it saw "
+      "{} frame{} through {} pipelines, tolerance {}\n\n{}\nagreement with {}, what it saw "
       "taken as the truth\n{}",
-      outcome.summaries.front().taken(), contestants.size(),
-      tolerance_text(outcome.comparison.against_truth(0).tolerance()),
-      figures_text(report.pipelines, report.has_truth), contestants.front().name,
-      agreement_text(report.pipelines));
+      outcome.summaries.front().taken(), outcome.summaries.front().taken() == 1 ? "" : "s",
+      contestants.size(), tolerance_text(outcome.comparison.against_truth(0).tolerance()),
+      figures_text(report.pipelines), contestants.front().name, agreement_text(report.pipelines));
   std::fflush(stdout);
   try {
     write_report(folder.path(), report, contestants, outcome, registry, reporter);
     folder.commit();
     if (options.json) {
-      write_file_atomically(*options.json, json_text(comparison_json(contestants, report.pipelines,
-                                                                     outcome, options, source)));
+      write_file_atomically(*options.json,
+                            json_text(comparison_json(contestants, report.pipelines, outcome,
+                                                      options.truth, source)));
     }
   } catch (const std::exception& error) {
     console.line(error.what(), Console::Tone::kError, "error: ");

@@ -15,7 +15,7 @@ double position_rmse_mm(const Scorecard& card) {
 }
 
 /// Of a card with one frame on it.
-double difference_in(const Scorecard& card) {
+FrameDifference difference_in(const Scorecard& card) {
   const ObjectTally robots = card.robots();
   const ObjectTally& ball = card.ball();
   const std::uint64_t unlike = (robots.frames - robots.seen) + card.false_robots() +
@@ -23,7 +23,7 @@ double difference_in(const Scorecard& card) {
                                robots.unknown_identity + (ball.frames - ball.seen) +
                                card.false_balls() + (ball.seen - ball.within_tolerance);
   const double apart_mm = position_rmse_mm(card);
-  return static_cast<double>(unlike) + (std::isnan(apart_mm) ? 0.0 : apart_mm / 1000.0);
+  return {unlike, std::isnan(apart_mm) ? 0.0 : apart_mm};
 }
 
 double objects_seen(const Detections& found) {
@@ -47,9 +47,9 @@ Comparison::Comparison(std::size_t pipelines, Tolerance tolerance)
       truth_cards_(pipelines, Scorecard(tolerance)),
       first_cards_(pipelines, Scorecard(tolerance)) {}
 
-double Comparison::add(std::span<const Entry> entries) {
+FrameDifference Comparison::add(std::span<const Entry> entries) {
   FrameRow row;
-  double difference = 0.0;
+  FrameDifference difference;
   const FrameResult* first = entries.front().result;
   TrueScene seen_by_first;
   if (first != nullptr) seen_by_first = scene_of(first->detections);
@@ -81,7 +81,7 @@ double Comparison::add(std::span<const Entry> entries) {
   return difference;
 }
 
-void DifferentFrames::offer(std::uint64_t sequence, double difference,
+void DifferentFrames::offer(std::uint64_t sequence, const FrameDifference& difference,
                             const std::function<cv::Mat()>& draw) {
   const auto near = std::ranges::find_if(kept_, [&](const Kept& kept) {
     const std::uint64_t apart =

@@ -23,7 +23,8 @@ class ComparisonTest : public ::testing::Test {
     return result;
   }
 
-  double add(const FrameResult& a, const FrameResult& b, const TrueScene* truth = nullptr) {
+  FrameDifference add(const FrameResult& a, const FrameResult& b,
+                      const TrueScene* truth = nullptr) {
     const Comparison::Entry entries[] = {{&a, &field_, truth}, {&b, &field_, truth}};
     return comparison_.add(entries);
   }
@@ -34,18 +35,21 @@ class ComparisonTest : public ::testing::Test {
 
 TEST_F(ComparisonTest, EqualResultsDoNotDiffer) {
   const FrameResult a = seen({{0, {100, 0}}, {1, {-300, 200}}});
-  EXPECT_EQ(add(a, a), 0.0);
+  EXPECT_EQ(add(a, a), FrameDifference());
   EXPECT_EQ(comparison_.against_first(1).frames_right(), 1u);
   EXPECT_EQ(comparison_.against_first(0).frames(), 0u);
   EXPECT_EQ(comparison_.against_truth(0).frames(), 0u) << "nobody knows the truth";
 }
 
 TEST_F(ComparisonTest, CountsWhatOnlyOneOfThemSawAndWhatTheyNameDifferently) {
-  EXPECT_EQ(add(seen({{0, {0, 0}}, {1, {400, 0}}}), seen({{0, {0, 0}}})), 1.0);
-  EXPECT_EQ(add(seen({{0, {0, 0}}}), seen({{0, {0, 0}}, {1, {400, 0}}})), 1.0);
-  EXPECT_EQ(add(seen({{0, {0, 0}}}), seen({{2, {0, 0}}})), 1.0);
-  EXPECT_NEAR(add(seen({{0, {0, 0}}}), seen({{0, {6, 8}}})), 0.010, 1e-9);
-  EXPECT_NEAR(add(seen({{0, {0, 0}}}), seen({{0, {0, 30}}})), 1.030, 1e-9);
+  const FrameResult one = seen({{0, {0, 0}}});
+  const FrameResult two = seen({{0, {0, 0}}, {1, {400, 0}}});
+  EXPECT_EQ(add(two, one).objects, 1u);
+  EXPECT_EQ(add(one, two).objects, 1u);
+  EXPECT_EQ(add(one, seen({{2, {0, 0}}})).objects, 1u);
+  EXPECT_EQ(add(one, seen({{0, {0, 30}}})).objects, 1u) << "farther apart than the tolerance";
+  EXPECT_EQ(add(one, seen({{0, {6, 8}}})).objects, 0u);
+  EXPECT_DOUBLE_EQ(add(one, seen({{0, {6, 8}}})).apart_mm, 10.0);
 }
 
 TEST_F(ComparisonTest, PlotsErrorsAgainstTheTruthWhereItIsKnownElseAgainstTheFirst) {
@@ -68,7 +72,7 @@ TEST_F(ComparisonTest, PlotsErrorsAgainstTheTruthWhereItIsKnownElseAgainstTheFir
 TEST_F(ComparisonTest, APipelineThatFailedLeavesAGap) {
   const FrameResult a = seen({{0, {0, 0}}});
   const Comparison::Entry entries[] = {{nullptr, nullptr, nullptr}, {&a, &field_, nullptr}};
-  EXPECT_EQ(comparison_.add(entries), 0.0);
+  EXPECT_EQ(comparison_.add(entries), FrameDifference());
   EXPECT_TRUE(std::isnan(comparison_.rows()[0].points[0].objects_seen));
   EXPECT_EQ(comparison_.rows()[0].points[1].objects_seen, 1.0);
 }
@@ -86,19 +90,19 @@ TEST(DifferentFrames, KeepsTheMostDifferentOnesApartFromEachOther) {
     ++drawn;
     return cv::Mat();
   };
-  frames.offer(0, 1.0, draw);
-  frames.offer(5, 3.0, draw);  // near 0, and differs more
-  frames.offer(6, 2.0, draw);  // near 5, and differs less
-  frames.offer(40, 1.5, draw);
-  frames.offer(80, 1.0, draw);  // no room
-  frames.offer(90, 4.0, draw);
+  frames.offer(0, {1, 0.0}, draw);
+  frames.offer(5, {3, 0.0}, draw);  // near 0, and differs more
+  frames.offer(6, {2, 9.0}, draw);  // near 5, and differs less
+  frames.offer(40, {1, 5.0}, draw);
+  frames.offer(80, {1, 0.0}, draw);  // no room
+  frames.offer(90, {4, 0.0}, draw);
   EXPECT_THAT(numbers_of(frames), ElementsAre(90, 5));
   EXPECT_EQ(drawn, 4);
 }
 
 TEST(DifferentFrames, KeepsNoneWhenNoneAreWanted) {
   DifferentFrames frames(0, 10);
-  frames.offer(0, 1.0, [] { return cv::Mat(); });
+  frames.offer(0, {1, 0.0}, [] { return cv::Mat(); });
   EXPECT_THAT(frames.kept(), SizeIs(0));
 }
 

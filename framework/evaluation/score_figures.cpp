@@ -26,6 +26,11 @@ std::optional<double> percent(std::uint64_t part, std::uint64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
+std::optional<double> count(std::uint64_t count, std::uint64_t frames) {
+  if (frames == 0) return std::nullopt;
+  return static_cast<double>(count);
+}
+
 std::optional<double> rate(std::uint64_t count, std::uint64_t frames) {
   if (frames == 0) return std::nullopt;
   return static_cast<double>(count) / static_cast<double>(frames);
@@ -171,6 +176,34 @@ std::string difference_text(const Figure& figure, const Figure& other) {
          (better ? ", better" : ", worse");
 }
 
+std::vector<Figure> main_figures(const std::vector<Figure>& figures) {
+  constexpr std::array<std::string_view, 20> kMain{"frames_right",
+                                                   "seen",
+                                                   "missed",
+                                                   "within_tolerance",
+                                                   "identity",
+                                                   "wrong_id",
+                                                   "position_p95_px",
+                                                   "position_rmse_mm",
+                                                   "position_p95_mm",
+                                                   "heading_p95_deg",
+                                                   "jitter_mm",
+                                                   "swaps",
+                                                   "false",
+                                                   "ball_seen",
+                                                   "ball_position_p95_mm",
+                                                   "false_balls",
+                                                   "corners_px",
+                                                   "segment_p50_ms",
+                                                   "frame_path_p50_ms",
+                                                   "frame_path_p99_ms"};
+  std::vector<Figure> main;
+  for (const Figure& figure : figures) {
+    if (std::ranges::find(kMain, figure.name) != kMain.end()) main.push_back(figure);
+  }
+  return main;
+}
+
 std::vector<Figure> robot_figures(const ObjectTally& tally) {
   Sheet sheet;
   sheet.add_robot(tally);
@@ -189,7 +222,7 @@ std::vector<Figure> score_figures(const Scorecard& card, const StepStatistics& t
   sheet.add("frames_right", percent(card.frames_right(), card.frames()), "%", Better::kHigher,
             "frames with everything within tolerance, rightly named, and nothing false");
   sheet.add_robot(card.robots());
-  sheet.add("swaps", static_cast<double>(card.swaps()), "", Better::kLower,
+  sheet.add("swaps", count(card.swaps(), card.frames()), "", Better::kLower,
             "how often two robots began to bear each other's identity");
   sheet.add("false", rate(card.false_robots(), card.frames()), "a frame", Better::kLower,
             "robots seen where there is none");

@@ -54,7 +54,6 @@ TEST(ScoreFigures, AreSharesOfWhatTheyAreSharesOf) {
 
 TEST(ScoreFigures, HaveNoValueWhereThereWasNothingToMeasure) {
   for (const Figure& of_nothing : figures_of(Scorecard())) {
-    if (of_nothing.name == "swaps") continue;
     EXPECT_FALSE(of_nothing.value) << of_nothing.name;
   }
   EXPECT_FALSE(figure(figures_of(half_right()), "ball_seen").value);
@@ -65,6 +64,17 @@ TEST(ScoreFigures, HaveNamesOfTheirOwn) {
   for (const Figure& f : figures_of(Scorecard())) {
     EXPECT_TRUE(names.insert(f.name).second) << f.name;
     EXPECT_FALSE(f.meaning.empty()) << f.name;
+  }
+}
+
+TEST(ScoreFigures, TheMainOnesAreAmongThemAllInTheirOrder) {
+  const auto all = figures_of(Scorecard());
+  const auto main = main_figures(all);
+  EXPECT_THAT(main, ::testing::SizeIs(20));
+  auto from = all.begin();
+  for (const Figure& f : main) {
+    from = std::ranges::find(from, all.end(), f.name, &Figure::name);
+    ASSERT_NE(from, all.end()) << f.name;
   }
 }
 

@@ -13,48 +13,71 @@ namespace maggic {
 namespace {
 
 std::string facts_html(const ComparisonReport& report) {
-  std::string html = "<div class=\"wide\"><table>\n";
+  std::string html = "<table class=\"facts\">\n";
   for (const auto& [name, value] : report.facts) {
-    html += fmt::format(
-        "<tr><td>{}</td><td style=\"text-align:left;white-space:normal\">{}</td>"
-        "</tr>\n",
-        xml_escaped(name), xml_escaped(value));
+    html += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", xml_escaped(name), xml_escaped(value));
   }
-  return html + "</table></div>\n";
+  return html + "</table>\n";
 }
 
-/// A row for each figure that any pipeline has a value for.
-/// @param lists one list of figures a pipeline, all alike; empty lists have no column.
-std::string figures_html(const ComparisonReport& report,
-                         const std::vector<const std::vector<Figure>*>& lists, bool differences) {
+/// Figures of several pipelines, a column each.
+struct FigureColumns {
+  std::vector<std::string> names;
+  std::vector<std::vector<Figure>> figures;
+  bool with_differences = false;  ///< To the first column.
+};
+
+/// A row for each figure that any column has a value for.
+std::string figures_html(const FigureColumns& columns) {
+  if (columns.figures.empty()) return {};
   std::string html = "<div class=\"wide\"><table>\n<thead><tr><th>figure</th>";
-  const std::vector<Figure>* model = nullptr;
-  for (std::size_t i = 0; i < lists.size(); ++i) {
-    if (lists[i]->empty()) continue;
-    if (model == nullptr) model = lists[i];
-    html += fmt::format("<th>{}</th>", xml_escaped(report.pipelines[i].name));
+  for (const std::string& name : columns.names) {
+    html += fmt::format("<th>{}</th>", xml_escaped(name));
   }
   html += "</tr></thead>\n<tbody>\n";
-  for (std::size_t row = 0; model != nullptr && row < model->size(); ++row) {
-    const bool any = std::ranges::any_of(lists, [&](const std::vector<Figure>* figures) {
-      return !figures->empty() && (*figures)[row].value;
-    });
-    if (!any) continue;
-    html += fmt::format("<tr><td>{}<small>{}</small></td>", xml_escaped((*model)[row].name),
-                        xml_escaped((*model)[row].meaning));
-    for (const std::vector<Figure>* figures : lists) {
-      if (figures->empty()) continue;
-      const Figure& figure = (*figures)[row];
-      html += fmt::format("<td>{}", xml_escaped(value_text(figure)));
-      if (differences && figures != lists.front()) {
-        html += fmt::format("<small>{}</small>",
-                            xml_escaped(difference_text(figure, (*lists.front())[row])));
+  for (std::size_t row = 0; row < columns.figures.front().size(); ++row) {
+    const Figure& first = columns.figures.front()[row];
+    std::string cells;
+    bool has_value = false;
+    for (const std::vector<Figure>& figures : columns.figures) {
+      const Figure& figure = figures[row];
+      has_value = has_value || figure.value;
+      cells += fmt::format("<td>{}", xml_escaped(value_text(figure)));
+      if (columns.with_differences && &figure != &first) {
+        cells += fmt::format("<small>{}</small>", xml_escaped(difference_text(figure, first)));
       }
-      html += "</td>";
+      cells += "</td>";
     }
-    html += "</tr>\n";
+    if (!has_value) continue;
+    html += fmt::format("<tr><td>{}<small>{}</small></td>{}</tr>\n", xml_escaped(first.name),
+                        xml_escaped(first.meaning), cells);
   }
   return html + "</tbody></table></div>\n";
+}
+
+FigureColumns figures_of(const ComparisonReport& report) {
+  FigureColumns columns;
+  columns.with_differences = true;
+  for (const ComparedPipeline& pipeline : report.pipelines) {
+    columns.names.push_back(pipeline.name);
+    columns.figures.push_back(pipeline.figures);
+  }
+  return columns;
+}
+
+FigureColumns agreement_of(const ComparisonReport& report) {
+  FigureColumns columns;
+  for (const ComparedPipeline& pipeline : report.pipelines) {
+    if (pipeline.agreement.empty()) continue;
+    columns.names.push_back(pipeline.name);
+    columns.figures.push_back(pipeline.agreement);
+  }
+  return columns;
+}
+
+FigureColumns main_of(FigureColumns columns) {
+  for (std::vector<Figure>& figures : columns.figures) figures = main_figures(figures);
+  return columns;
 }
 
 std::string pictures_html(const ComparisonReport& report) {
@@ -96,23 +119,16 @@ std::string labels_html(const ComparisonReport& report) {
   return html + "</table></div>\n";
 }
 
-template <class Member>
-std::vector<const std::vector<Figure>*> lists_of(const ComparisonReport& report, Member member) {
-  std::vector<const std::vector<Figure>*> lists;
-  for (const ComparedPipeline& pipeline : report.pipelines) lists.push_back(&(pipeline.*member));
-  return lists;
-}
-
 }  // namespace
 
 std::string to_html(const ComparisonReport& report) {
+  const FigureColumns figures = figures_of(report);
+  const FigureColumns agreement = agreement_of(report);
   std::string body = facts_html(report);
-  body += report.has_truth
-              ? "<h2>Against the truth</h2>\n<p>In small print: the difference to the first.</p>\n"
-              : "<h2>Times</h2>\n<p>In small print: the difference to the first.</p>\n";
-  body += figures_html(report, lists_of(report, &ComparedPipeline::figures), true);
-  body += "<h2>Agreement</h2>\n<p>What the first pipeline saw is taken as the truth.</p>\n";
-  body += figures_html(report, lists_of(report, &ComparedPipeline::agreement), false);
+  body += report.has_truth ? "<h2>Against the truth</h2>\n" : "<h2>Times</h2>\n";
+  body += "<p>In small print: the difference to the first.</p>\n" + figures_html(main_of(figures));
+  body += "<h2>Agreement</h2>\n<p>What the first pipeline saw is taken as the truth.</p>\n" +
+          figures_html(main_of(agreement));
   body += "<h2>Frame by frame</h2>\n";
   for (const std::string& svg : comparison_plots(report)) {
     body += fmt::format("<div class=\"paper\">{}</div>\n", svg);
@@ -123,6 +139,10 @@ std::string to_html(const ComparisonReport& report) {
   if (!report.segmented.png.empty()) {
     body += "<h2>Segmentation</h2>\n" + labels_html(report);
   }
+  body += "<h2>Every figure</h2>\n<details><summary>all of them</summary>\n" +
+          figures_html(figures) + "</details>\n";
+  body += "<details><summary>all of the agreement</summary>\n" + figures_html(agreement) +
+          "</details>\n";
   return html_page(report.title, body);
 }
 

@@ -30,6 +30,9 @@ th, td { border-bottom: 1px solid var(--line); padding: 0.3rem 0.7rem; text-alig
 th:first-child, td:first-child { text-align: left; white-space: normal; min-width: 11rem; }
 thead th { background: var(--card); }
 td small { display: block; line-height: 1.3; }
+table.facts td { text-align: left; white-space: normal; overflow-wrap: anywhere;
+  min-width: 0; }
+summary { cursor: pointer; padding: 0.4rem 0; }
 figure { margin: 0 0 1.5rem; }
 img { display: block; width: 100%; height: auto; border-radius: 4px; }
 table.pictures { width: 100%; min-width: 40rem; }

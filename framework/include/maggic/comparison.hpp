@@ -2,6 +2,7 @@
 /// How several pipelines did on the same frames, against the truth and against each other.
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -30,6 +31,17 @@ struct FrameRow {
   std::vector<FramePoint> points;
 };
 
+/// How much the others' results for one frame differ from the first pipeline's.
+struct FrameDifference {
+  /// Objects that only one of the two saw, that are named differently, or that are farther apart
+  /// than the tolerance.
+  std::uint64_t objects = 0;
+  double apart_mm = 0.0;  ///< RMSE over the objects both saw.
+
+  /// By objects; where those are as many, by distance.
+  friend auto operator<=>(const FrameDifference&, const FrameDifference&) = default;
+};
+
 /// Accumulates frames. The first pipeline is what the others are compared with.
 class Comparison {
  public:
@@ -43,11 +55,9 @@ class Comparison {
   Comparison(std::size_t pipelines, Tolerance tolerance);
 
   /// @param entries one a pipeline, in order.
-  /// @return how much the others differ from the first in this frame: objects only one of the two
-  ///   saw, that are named differently, or farther apart than the tolerance; plus the RMSE of the
-  ///   places in metres, which orders frames that are alike otherwise. Of several pipelines the
-  ///   largest; 0 where the first failed.
-  double add(std::span<const Entry> entries);
+  /// @return the difference of this frame, of several pipelines the largest; none where the first
+  ///   failed.
+  FrameDifference add(std::span<const Entry> entries);
 
   const Scorecard& against_truth(std::size_t pipeline) const { return truth_cards_[pipeline]; }
   /// What the first pipeline saw taken as the truth. The first one against itself is empty.
@@ -67,7 +77,7 @@ class DifferentFrames {
  public:
   struct Kept {
     std::uint64_t sequence = 0;
-    double difference = 0.0;
+    FrameDifference difference;
     cv::Mat picture;
   };
 
@@ -76,7 +86,8 @@ class DifferentFrames {
 
   /// Keeps the frame if it belongs among the most different ones so far, in place of one that does
   /// not any more. @param draw called only if it is kept.
-  void offer(std::uint64_t sequence, double difference, const std::function<cv::Mat()>& draw);
+  void offer(std::uint64_t sequence, const FrameDifference& difference,
+             const std::function<cv::Mat()>& draw);
 
   const std::vector<Kept>& kept() const { return kept_; }  ///< The most different first.
 

@@ -43,10 +43,13 @@ std::string difference_text(const Figure& figure, const Figure& other);
 std::vector<Figure> score_figures(const Scorecard& card, const StepStatistics& times,
                                   std::optional<double> corners_px);
 
-/// The same for one robot, or several together.
+/// Of these the few to look at first, in the same order.
+std::vector<Figure> main_figures(const std::vector<Figure>& figures);
+
+/// The figures of one robot, or of several together.
 std::vector<Figure> robot_figures(const ObjectTally& tally);
 
-/// The same for the ball, which has neither identity nor heading.
+/// Those of the ball, which has neither identity nor heading.
 std::vector<Figure> ball_figures(const ObjectTally& tally);
 
 /// The farthest any of the field's corners, as `field` puts them into the picture, lies from the

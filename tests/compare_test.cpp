@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -19,13 +20,15 @@ using ::testing::AllOf;
 using testing::Folder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 using testing::Program;
 using testing::ProgramResult;
 using testing::text_of;
 using Json = nlohmann::json;
 
 const fs::path kFootage = fs::path(MAGGIC_SOURCE_DIR) / ".." / "shared" / "footage";
+
+/// A page of a megabyte is nothing to print when a test fails.
+bool has(const std::string& page, std::string_view part) { return page.find(part) != page.npos; }
 
 class CompareTest : public ::testing::Test {
  protected:
@@ -57,10 +60,13 @@ TEST_F(CompareTest, WritesATableAReportAndEveryFigure) {
                     HasSubstr("report: " + out_)));
 
   const std::string html = text_of(out_ + "/report.html");
-  EXPECT_THAT(html,
-              AllOf(HasSubstr("Against the truth"), HasSubstr("Where they differ most"),
-                    HasSubstr("<th>20</th>"), HasSubstr("<th>60</th>"), HasSubstr("rowspan=\"3\""),
-                    Not(HasSubstr("http://")), Not(HasSubstr("https://"))));
+  for (const char* part : {"Against the truth", "Where they differ most", "<th>20</th>",
+                           "<th>60</th>", "rowspan=\"3\""}) {
+    EXPECT_TRUE(has(html, part)) << part;
+  }
+  for (const char* part : {"<script", "<link", "src=\"http", "href="}) {
+    EXPECT_FALSE(has(html, part)) << part;
+  }
   for (const std::string& name : names_in(out_)) {
     EXPECT_TRUE(name == "report.html" || name.starts_with("different_frame_")) << name;
   }
@@ -86,9 +92,10 @@ TEST_F(CompareTest, APipelineAgreesWithItselfWhereTheTruthIsNotKnown) {
       compare({"maggic_3v3", "maggic_3v3", "--source", picture, "-o", out_, "--thresholds", "30"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("agreement with A maggic_3v3"),
-                                HasSubstr("frames_right           100.00 %")));
+                                HasSubstr("frames_right       100.00 %")));
   const std::string html = text_of(out_ + "/report.html");
-  EXPECT_THAT(html, AllOf(Not(HasSubstr("Against the truth")), Not(HasSubstr("differ most"))));
+  EXPECT_FALSE(has(html, "Against the truth"));
+  EXPECT_FALSE(has(html, "differ most"));
 }
 
 TEST_F(CompareTest, CalibrationsAreForAllOrOneForEach) {

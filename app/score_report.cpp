@@ -41,18 +41,10 @@ const Figure* find(const std::vector<Figure>& figures, std::string_view name) {
 
 std::string cell(const std::vector<Figure>& figures, std::string_view name) {
   const Figure* figure = find(figures, name);
-  return figure == nullptr ? "-" : value_text(*figure, false);
+  return figure == nullptr ? "-" : number_text(*figure);
 }
 
 }  // namespace
-
-std::string value_text(const Figure& figure, bool with_unit) {
-  if (!figure.value) return "-";
-  const int digits = figure.unit.empty() ? 0 : figure.unit == "%" ? 2 : 3;
-  std::string text = fmt::format("{:.{}f}", *figure.value, digits);
-  if (with_unit && !figure.unit.empty()) text += ' ' + figure.unit;
-  return text;
-}
 
 std::string objects_text(const Scorecard& card, const Palette& palette) {
   std::vector<Align> columns(kColumns.size() + 1, Align::kRight);

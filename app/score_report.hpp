@@ -10,9 +10,6 @@
 
 namespace maggic::app {
 
-/// "97.00 %", "0.412 mm"; "-" where there was nothing to measure.
-std::string value_text(const Figure& figure, bool with_unit = true);
-
 /// Every robot, all robots together and the ball, a line each.
 std::string objects_text(const Scorecard& card, const Palette& palette);
 

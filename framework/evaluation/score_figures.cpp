@@ -15,9 +15,20 @@
 namespace maggic {
 namespace {
 
+int digits_of(const Figure& figure) { return figure.unit.empty() ? 0 : figure.unit == "%" ? 2 : 3; }
+
+std::string with_unit(std::string number, const Figure& figure) {
+  return figure.unit.empty() ? number : number + ' ' + figure.unit;
+}
+
 std::optional<double> percent(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0) return std::nullopt;
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::optional<double> count(std::uint64_t count, std::uint64_t frames) {
+  if (frames == 0) return std::nullopt;
+  return static_cast<double>(count);
 }
 
 std::optional<double> rate(std::uint64_t count, std::uint64_t frames) {
@@ -147,6 +158,52 @@ Requirement parse_requirement(std::string_view item) {
 
 }  // namespace
 
+std::string number_text(const Figure& figure) {
+  return figure.value ? fmt::format("{:.{}f}", *figure.value, digits_of(figure)) : "-";
+}
+
+std::string value_text(const Figure& figure) {
+  return figure.value ? with_unit(number_text(figure), figure) : "-";
+}
+
+std::string difference_text(const Figure& figure, const Figure& other) {
+  if (!figure.value || !other.value) return {};
+  const double difference = *figure.value - *other.value;
+  const int digits = digits_of(figure);
+  if (std::abs(difference) < 0.5 * std::pow(10.0, -digits)) return "same";
+  const bool better = (difference > 0.0) == (figure.better == Better::kHigher);
+  return with_unit(fmt::format("{:+.{}f}", difference, digits), figure) +
+         (better ? ", better" : ", worse");
+}
+
+std::vector<Figure> main_figures(const std::vector<Figure>& figures) {
+  constexpr std::array<std::string_view, 20> kMain{"frames_right",
+                                                   "seen",
+                                                   "missed",
+                                                   "within_tolerance",
+                                                   "identity",
+                                                   "wrong_id",
+                                                   "position_p95_px",
+                                                   "position_rmse_mm",
+                                                   "position_p95_mm",
+                                                   "heading_p95_deg",
+                                                   "jitter_mm",
+                                                   "swaps",
+                                                   "false",
+                                                   "ball_seen",
+                                                   "ball_position_p95_mm",
+                                                   "false_balls",
+                                                   "corners_px",
+                                                   "segment_p50_ms",
+                                                   "frame_path_p50_ms",
+                                                   "frame_path_p99_ms"};
+  std::vector<Figure> main;
+  for (const Figure& figure : figures) {
+    if (std::ranges::find(kMain, figure.name) != kMain.end()) main.push_back(figure);
+  }
+  return main;
+}
+
 std::vector<Figure> robot_figures(const ObjectTally& tally) {
   Sheet sheet;
   sheet.add_robot(tally);
@@ -165,7 +222,7 @@ std::vector<Figure> score_figures(const Scorecard& card, const StepStatistics& t
   sheet.add("frames_right", percent(card.frames_right(), card.frames()), "%", Better::kHigher,
             "frames with everything within tolerance, rightly named, and nothing false");
   sheet.add_robot(card.robots());
-  sheet.add("swaps", static_cast<double>(card.swaps()), "", Better::kLower,
+  sheet.add("swaps", count(card.swaps(), card.frames()), "", Better::kLower,
             "how often two robots began to bear each other's identity");
   sheet.add("false", rate(card.false_robots(), card.frames()), "a frame", Better::kLower,
             "robots seen where there is none");

@@ -54,7 +54,6 @@ TEST(ScoreFigures, AreSharesOfWhatTheyAreSharesOf) {
 
 TEST(ScoreFigures, HaveNoValueWhereThereWasNothingToMeasure) {
   for (const Figure& of_nothing : figures_of(Scorecard())) {
-    if (of_nothing.name == "swaps") continue;
     EXPECT_FALSE(of_nothing.value) << of_nothing.name;
   }
   EXPECT_FALSE(figure(figures_of(half_right()), "ball_seen").value);
@@ -65,6 +64,17 @@ TEST(ScoreFigures, HaveNamesOfTheirOwn) {
   for (const Figure& f : figures_of(Scorecard())) {
     EXPECT_TRUE(names.insert(f.name).second) << f.name;
     EXPECT_FALSE(f.meaning.empty()) << f.name;
+  }
+}
+
+TEST(ScoreFigures, TheMainOnesAreAmongThemAllInTheirOrder) {
+  const auto all = figures_of(Scorecard());
+  const auto main = main_figures(all);
+  EXPECT_THAT(main, ::testing::SizeIs(20));
+  auto from = all.begin();
+  for (const Figure& f : main) {
+    from = std::ranges::find(from, all.end(), f.name, &Figure::name);
+    ASSERT_NE(from, all.end()) << f.name;
   }
 }
 
@@ -88,6 +98,22 @@ TEST(CornerError, IsTheFarthestOfTheFour) {
     EXPECT_NEAR(corner_error_px(Field(parameters, {640, 480}), truth).value(), 5.0, 1e-6);
   }
   EXPECT_FALSE(corner_error_px(Field(parameters, {640, 480}), Truth()));
+}
+
+TEST(ScoreFigures, AreWrittenOutAndComparedInWords) {
+  const Figure seen{"seen", 98.0, "%", Better::kHigher, ""};
+  const Figure less{"seen", 97.5, "%", Better::kHigher, ""};
+  const Figure error{"position_rmse_mm", 1.25, "mm", Better::kLower, ""};
+  const Figure smaller{"position_rmse_mm", 1.0, "mm", Better::kLower, ""};
+  const Figure nothing{"seen", std::nullopt, "%", Better::kHigher, ""};
+  EXPECT_EQ(value_text(seen), "98.00 %");
+  EXPECT_EQ(value_text(error), "1.250 mm");
+  EXPECT_EQ(value_text(Figure{"swaps", 2.0, "", Better::kLower, ""}), "2");
+  EXPECT_EQ(value_text(nothing), "-");
+  EXPECT_EQ(difference_text(less, seen), "-0.50 %, worse");
+  EXPECT_EQ(difference_text(smaller, error), "-0.250 mm, better");
+  EXPECT_EQ(difference_text(seen, seen), "same");
+  EXPECT_EQ(difference_text(seen, nothing), "");
 }
 
 TEST(Requirements, AreMetAtTheLimitInTheFiguresOwnDirection) {

@@ -27,16 +27,29 @@ struct Figure {
   std::string meaning;  ///< One line.
 };
 
+/// "97.00", "0.412", a count without decimals; "-" where there was nothing to measure.
+std::string number_text(const Figure& figure);
+
+/// The same with its unit: "97.00 %", "0.412 mm".
+std::string value_text(const Figure& figure);
+
+/// "+1.500 mm, worse": a figure against the same of another run. "same" when they are equal as far
+/// as they are written out; empty when either has no value.
+std::string difference_text(const Figure& figure, const Figure& other);
+
 /// What the whole run is judged by: robots, ball, calibrated corners, times; always the same names
 /// in the same order.
 /// @param corners_px distance of the calibrated corners from the truth's: see corner_error_px.
 std::vector<Figure> score_figures(const Scorecard& card, const StepStatistics& times,
                                   std::optional<double> corners_px);
 
-/// The same for one robot, or several together.
+/// Of these the few to look at first, in the same order.
+std::vector<Figure> main_figures(const std::vector<Figure>& figures);
+
+/// The figures of one robot, or of several together.
 std::vector<Figure> robot_figures(const ObjectTally& tally);
 
-/// The same for the ball, which has neither identity nor heading.
+/// Those of the ball, which has neither identity nor heading.
 std::vector<Figure> ball_figures(const ObjectTally& tally);
 
 /// The farthest any of the field's corners, as `field` puts them into the picture, lies from the

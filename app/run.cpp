@@ -15,6 +15,7 @@
 #include "app/pipeline_options.hpp"
 #include "app/progress.hpp"
 #include "app/summary.hpp"
+#include "app/why.hpp"
 #include "maggic/runner.hpp"
 #include "maggic/truth_score.hpp"
 
@@ -55,7 +56,7 @@ std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
 }
 
 ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, std::FILE* report,
-                        Console& console, ConsoleReporter& reporter) {
+                        Console& console, ConsoleReporter& reporter, Why& why) {
   Found found;
   TruthScore truth;
   RunOptions run_options;
@@ -70,6 +71,7 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
                   [&](const FrameResult& result, const RunSummary& so_far) {
                     found.add(result.detections);
                     if (result.frame.has_truth) truth.add(result.detections, result.frame.truth);
+                    why.look(*built.pipeline, result, stop_wanted);
                     progress.update(result, so_far, expected_frames(options, so_far.source));
                   });
   }
@@ -78,6 +80,7 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
 
   fmt::print(report, "{}", summary_text(summary, found, truth, elapsed_s));
   std::fflush(report);
+  const ExitCode asked = why.print(report, console);
   if (!summary.clean()) {
     console.line("something failed during the run, see above", Console::Tone::kError, "error: ");
     return kFailed;
@@ -86,12 +89,13 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
     console.line("no frame ever came from the source", Console::Tone::kError, "error: ");
     return kFailed;
   }
-  return kFine;
+  return asked;
 }
 
 }  // namespace
 
 ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
+  Why why(options.why);
   PipelineRequest request = make_request(options.pipeline);
   if (options.output) {
     request.extra_sinks.push_back(sink_node("jsonl", *options.output, "--output"));
@@ -124,7 +128,7 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
 
   end_on_signals();
   try {
-    return run_and_report(built, options, stdout_taken ? stderr : stdout, console, reporter);
+    return run_and_report(built, options, stdout_taken ? stderr : stdout, console, reporter, why);
   } catch (const std::exception& error) {
     console.line(error.what(), Console::Tone::kError, "error: ");
     return kFailed;

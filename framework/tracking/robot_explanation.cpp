@@ -98,8 +98,9 @@ class Explanation {
   std::string owner_text(const RobotTrack& track, const Candidate& sighting, int patch) const {
     const std::string role = patch == 0 ? "team patch" : fmt::format("player patch {}", patch);
     const bool is_half = at(sighting.blobs[static_cast<std::size_t>(patch)]).is_half();
-    std::string text = fmt::format("{}{} of {}", is_half ? "half of it is the " : "", role,
-                                   robot_name(track.team, track.id));
+    std::string text = fmt::format("{}{} of {} at {}", is_half ? "half of it is the " : "", role,
+                                   robot_name(track.team, track.id), place_text(sighting));
+    if (sighting.found > 1) text += fmt::format(", {}", partners_text(sighting));
     const LayoutModel& layout = layout_at(sighting.layout);
     if (sighting.found <= 1) {
       text += "\nno player patch was found with it";

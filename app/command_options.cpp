@@ -216,7 +216,8 @@ std::vector<OfferedCommand> offer_commands(CLI::App& app) {
       offer_plot(app),
       offer<ImportOptions>(app, "import", "Turn another program's calibration into one of ours",
                            describe_import),
-      offer<CheckOptions>(app, "check", "Find every mistake in pipeline files without running them",
+      offer<CheckOptions>(app, "check", "Find every mistake in pipeline files; with --source, colours that "
+                          "lie badly too",
                           describe_check),
       offer<PluginsOptions>(app, "plugins",
                             "List the plugins found, and files refused with the reason",

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/border_notes.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/console_reporter.hpp"
@@ -59,6 +60,7 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
                         Console& console, ConsoleReporter& reporter, Why& why) {
   Found found;
   TruthScore truth;
+  BlobColors blob_colors;
   RunOptions run_options;
   run_options.max_frames = options.frames;
   run_options.max_duration_s = options.duration_s;
@@ -71,12 +73,14 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
                   [&](const FrameResult& result, const RunSummary& so_far) {
                     found.add(result.detections);
                     if (result.frame.has_truth) truth.add(result.detections, result.frame.truth);
+                    blob_colors.offer(result);
                     why.look(*built.pipeline, result, stop_wanted);
                     progress.update(result, so_far, expected_frames(options, so_far.source));
                   });
   }
   const double elapsed_s = duration<double>(steady_clock::now() - started).count();
   reporter.print_totals();
+  print_border_notes(*built.pipeline, blob_colors, console);
 
   fmt::print(report, "{}", summary_text(summary, found, truth, elapsed_s));
   std::fflush(report);

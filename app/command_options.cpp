@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,7 +35,10 @@ CLI::Validator within(Number min, Number max, std::string_view expected) {
 
 template <class Number>
 CLI::Validator above_zero(std::string_view expected) {
-  return within(std::numeric_limits<Number>::min(), std::numeric_limits<Number>::max(), expected);
+  // The smallest of a floating-point type is its smallest above 0, that of a counting type is 0.
+  constexpr Number kSmallest =
+      std::is_integral_v<Number> ? Number{1} : std::numeric_limits<Number>::min();
+  return within(kSmallest, std::numeric_limits<Number>::max(), expected);
 }
 
 void add_overrides(CLI::App& command, PipelineOptions& options) {

@@ -65,7 +65,7 @@ struct CompareOptions {
   std::optional<std::uint64_t> frames;
   std::optional<std::filesystem::path> json;
   std::filesystem::path output = "compare";  ///< Folder of the report and its pictures.
-  std::vector<int> thresholds;              ///< Gray thresholds of the report's rows.
+  std::vector<int> thresholds{20, 40, 60};  ///< Gray thresholds of the report's rows.
 };
 
 struct SweepOptions {

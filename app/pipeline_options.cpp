@@ -169,6 +169,34 @@ void check_outputs(const Node& document, const std::vector<fs::path>& configurat
   if (!mistakes.empty()) throw ConfigError(std::move(mistakes));
 }
 
+void check_report(const fs::path& report, std::string_view flag,
+                  const std::vector<fs::path>& inputs) {
+  const auto refuse = [&](std::string message) {
+    throw ConfigError({{std::string(flag), 0, 0, std::move(message)}});
+  };
+  std::error_code ignored;
+  const fs::path folder = report.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+    refuse(fmt::format("cannot write '{}': folder {} does not exist", report.string(),
+                       folder.string()));
+  }
+  if (fs::is_directory(report, ignored)) {
+    refuse(fmt::format("cannot write '{}': it is a folder", report.string()));
+  }
+  for (const fs::path& input : inputs) {
+    if (!same_file(report, input)) continue;
+    refuse(fmt::format("writing '{}' would destroy '{}', which is read", report.string(),
+                       input.string()));
+  }
+}
+
+std::optional<std::string> source_path(const Node& document) {
+  const Node* source = document.find("source");
+  const Node* path = source != nullptr ? path_of(*source) : nullptr;
+  if (path == nullptr) return std::nullopt;
+  return std::string(without_file_scheme(path->scalar));
+}
+
 bool writes_to_stdout(const Node& document) {
   return std::ranges::any_of(sink_paths(document),
                              [](const Node* path) { return path->scalar == kStandardOutput; });

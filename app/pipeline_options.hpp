@@ -2,6 +2,7 @@
 /// From names and flags to a PipelineRequest and a plugin registry.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,14 @@ Node sink_node(std::string_view plugin, std::string_view path, std::string_view 
 /// @throws ConfigError naming both sides.
 void check_outputs(const Node& document,
                    const std::vector<std::filesystem::path>& configuration = {});
+
+/// Refuses a report that could not be written, or that would destroy one of `inputs`.
+/// @throws ConfigError naming `flag`.
+void check_report(const std::filesystem::path& report, std::string_view flag,
+                  const std::vector<std::filesystem::path>& inputs);
+
+/// What the source of `document` reads: a path, URL or device; nothing when it has no `path`.
+std::optional<std::string> source_path(const Node& document);
 
 /// Whether a sink of `document` writes to standard output.
 bool writes_to_stdout(const Node& document);

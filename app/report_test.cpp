@@ -115,7 +115,7 @@ TEST(Summary, NamesFailedOutputsAndTheirReason) {
   RunSummary summary;
   summary.processed = 20;
   summary.sinks.push_back({"jsonl", 15, 0, 5, "cannot write 'x': No space left on device"});
-  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 2.0),
+  EXPECT_THAT(summary_text(summary, Found(), Scorecard(), 2.0),
               AllOf(HasSubstr("20 frames in 2.0 s (10.0 fps)"),
                     HasSubstr("jsonl  15  frames, 5 failed: cannot write 'x': No space left"),
                     Not(HasSubstr("ground truth"))));
@@ -132,42 +132,50 @@ TEST(Summary, TellsWhatWasSeen) {
   detections.robots.front().state = TrackState::kPredicted;
   detections.ball->state = TrackState::kPredicted;
   found.add(detections);
-  EXPECT_THAT(summary_text(summary, found, TruthScore(), 1.0),
+  EXPECT_THAT(summary_text(summary, found, Scorecard(), 1.0),
               HasSubstr("\nfound  5.5 robots a frame, a ball in 50.0 % of frames\n"));
 }
 
 TEST(Summary, SaysWhenNoFrameEverCame) {
   RunSummary summary;
-  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0),
+  EXPECT_THAT(summary_text(summary, Found(), Scorecard(), 1.0),
               AllOf(HasSubstr("no frame ever came from the source"), Not(HasSubstr("found"))));
   summary.skipped = 1;
-  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0), Not(HasSubstr("no frame")));
+  EXPECT_THAT(summary_text(summary, Found(), Scorecard(), 1.0), Not(HasSubstr("no frame")));
 }
 
 TEST(Summary, TellsWhatTheColourTableTook) {
   RunSummary summary;
-  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0), Not(HasSubstr("colour table")));
+  EXPECT_THAT(summary_text(summary, Found(), Scorecard(), 1.0), Not(HasSubstr("colour table")));
   summary.table_compile_time = std::chrono::microseconds(123456);
-  EXPECT_THAT(summary_text(summary, Found(), TruthScore(), 1.0),
+  EXPECT_THAT(summary_text(summary, Found(), Scorecard(), 1.0),
               HasSubstr("colour table compiled in 123.456 ms before the run"));
 }
 
 TEST(Summary, ComparesWithTheTruthWhereThereIsOne) {
   RunSummary summary;
-  summary.processed = 10;
-  TruthScore truth;
-  truth.frames = 10;
-  truth.robots_true = 60;
-  truth.robots_found = 59;
-  truth.robots_right_id = 57;
-  truth.robots_false = 5;
-  truth.robot_position_mm.add(3.0);
+  summary.processed = 2;
+  TrueScene scene;
+  for (const int id : {0, 1}) {
+    TrueRobot& robot = scene.robots.emplace_back();
+    robot.identity.id = id;
+    robot.position_mm = cv::Point2d(300.0 * id, 0.0);
+  }
+  Detections found;
+  for (const int id : {0, 1, 2}) {
+    RobotDetection& robot = found.robots.emplace_back();
+    robot.id = id;
+    robot.position_mm = cv::Point2d(300.0 * id + 3.0, 0.0);
+  }
+  const Field field(FieldParameters{}, {640, 480});
+  Scorecard truth;
+  truth.add(found, scene, field);
+  found.robots.erase(found.robots.begin());
+  truth.add(found, scene, field);
   const std::string text = summary_text(summary, Found(), truth, 1.0);
-  EXPECT_THAT(text, HasSubstr("ground truth of 10 frames"));
-  EXPECT_THAT(text, HasSubstr("98.33 %  (59 of 60)"));
-  EXPECT_THAT(text, HasSubstr("95.00 %  (57 of 60)"));
-  EXPECT_THAT(text, HasSubstr("0.500 a frame"));
-  EXPECT_THAT(text, HasSubstr("3.00 mm"));
+  EXPECT_THAT(text, AllOf(HasSubstr("ground truth of 2 frames"),
+                          HasSubstr("75.00 %  (3 of 4)"),
+                          HasSubstr("1.000 a frame"), HasSubstr("3.00 mm")));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -15,33 +14,17 @@
 #include "app/console_reporter.hpp"
 #include "app/pipeline_options.hpp"
 #include "app/progress.hpp"
+#include "app/stop_signals.hpp"
 #include "app/summary.hpp"
 #include "app/why.hpp"
 #include "maggic/runner.hpp"
-#include "maggic/truth_score.hpp"
+#include "maggic/scorecard.hpp"
 
 namespace maggic::app {
 namespace {
 
 using std::chrono::duration;
 using std::chrono::steady_clock;
-
-std::atomic<bool> stop_wanted{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
-
-/// The first Ctrl-C ends the run in order, outputs complete; a second one kills. So does closing
-/// the terminal, unless it is to be outlived (nohup).
-void end_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop_wanted = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  struct sigaction of_hangup {};
-  sigaction(SIGHUP, nullptr, &of_hangup);
-  if (of_hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
-}
 
 /// Frames the source will give until its end or the end of the wanted duration, when known.
 std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
@@ -57,9 +40,10 @@ std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
 }
 
 ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, std::FILE* report,
-                        Console& console, ConsoleReporter& reporter, Why& why) {
+                        std::atomic<bool>& stop, Console& console, ConsoleReporter& reporter,
+                        Why& why) {
   Found found;
-  TruthScore truth;
+  Scorecard truth;
   BlobColors blob_colors;
   RunOptions run_options;
   run_options.max_frames = options.frames;
@@ -69,12 +53,15 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
   RunSummary summary;
   {
     Progress progress(console, options.frames);
-    summary = run(built, run_options, stop_wanted, reporter,
+    summary = run(built, run_options, stop, reporter,
                   [&](const FrameResult& result, const RunSummary& so_far) {
                     found.add(result.detections);
-                    if (result.frame.has_truth) truth.add(result.detections, result.frame.truth);
+                    if (result.frame.has_truth) {
+                      truth.add(result.detections, scene_of(result.frame.truth),
+                                *built.pipeline->field());
+                    }
                     blob_colors.offer(result);
-                    why.look(*built.pipeline, result, stop_wanted);
+                    why.look(*built.pipeline, result, stop);
                     progress.update(result, so_far, expected_frames(options, so_far.source));
                   });
   }
@@ -130,9 +117,10 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
                  Console::Tone::kWarning, "note: ");
   }
 
-  end_on_signals();
+  std::atomic<bool>& stop = stop_on_signals();
   try {
-    return run_and_report(built, options, stdout_taken ? stderr : stdout, console, reporter, why);
+    return run_and_report(built, options, stdout_taken ? stderr : stdout, stop, console, reporter,
+                          why);
   } catch (const std::exception& error) {
     console.line(error.what(), Console::Tone::kError, "error: ");
     return kFailed;

@@ -55,31 +55,32 @@ std::string sinks_text(const std::vector<SinkSummary>& sinks) {
   return table.to_string(kIndent, kWidth);
 }
 
-std::string truth_text(const TruthScore& truth) {
+std::string truth_text(const Scorecard& truth) {
   TextTable table({Align::kLeft, Align::kRight, Align::kLeft});
   const auto of = [](std::uint64_t part, std::uint64_t whole) {
     return fmt::format("({} of {})", part, whole);
   };
-  const auto largest = [](const ErrorSum& error, std::string_view unit) {
-    return fmt::format("(largest {:.2f} {})", error.max, unit);
+  const auto largest = [](const ErrorDistribution& error, std::string_view unit) {
+    return fmt::format("(largest {:.2f} {})", error.max(), unit);
   };
-  const double frames = static_cast<double>(truth.frames);
-  table.add({"robots found", percent(truth.robots_found, truth.robots_true),
-             of(truth.robots_found, truth.robots_true)});
-  table.add({"right team and id", percent(truth.robots_right_id, truth.robots_true),
-             of(truth.robots_right_id, truth.robots_true)});
-  table.add({"false robots",
-             fmt::format("{:.3f} a frame", static_cast<double>(truth.robots_false) / frames), ""});
-  table.add({"robot position RMSE", fmt::format("{:.2f} mm", truth.robot_position_mm.rmse()),
-             largest(truth.robot_position_mm, "mm")});
-  table.add({"robot heading RMSE", fmt::format("{:.2f} deg", truth.robot_heading_deg.rmse()),
-             largest(truth.robot_heading_deg, "deg")});
-  table.add({"ball found", percent(truth.balls_found, truth.balls_true),
-             of(truth.balls_found, truth.balls_true)});
-  table.add({"false balls",
-             fmt::format("{:.3f} a frame", static_cast<double>(truth.balls_false) / frames), ""});
-  table.add({"ball position RMSE", fmt::format("{:.2f} mm", truth.ball_position_mm.rmse()),
-             largest(truth.ball_position_mm, "mm")});
+  const auto a_frame = [&](std::uint64_t count) {
+    return fmt::format("{:.3f} a frame",
+                       static_cast<double>(count) / static_cast<double>(truth.frames()));
+  };
+  const ObjectTally robots = truth.robots();
+  const ObjectTally& ball = truth.ball();
+  table.add({"robots found", percent(robots.seen, robots.frames), of(robots.seen, robots.frames)});
+  table.add({"right team and id", percent(robots.right_identity, robots.frames),
+             of(robots.right_identity, robots.frames)});
+  table.add({"false robots", a_frame(truth.false_robots()), ""});
+  table.add({"robot position RMSE", fmt::format("{:.2f} mm", robots.position_mm.rmse()),
+             largest(robots.position_mm, "mm")});
+  table.add({"robot heading RMSE", fmt::format("{:.2f} deg", robots.heading_deg.rmse()),
+             largest(robots.heading_deg, "deg")});
+  table.add({"ball found", percent(ball.seen, ball.frames), of(ball.seen, ball.frames)});
+  table.add({"false balls", a_frame(truth.false_balls()), ""});
+  table.add({"ball position RMSE", fmt::format("{:.2f} mm", ball.position_mm.rmse()),
+             largest(ball.position_mm, "mm")});
   return table.to_string(kIndent, kWidth);
 }
 
@@ -92,7 +93,7 @@ void Found::add(const Detections& detections) {
   if (detections.ball && seen(*detections.ball)) ++balls;
 }
 
-std::string summary_text(const RunSummary& summary, const Found& found, const TruthScore& truth,
+std::string summary_text(const RunSummary& summary, const Found& found, const Scorecard& truth,
                          double elapsed_s) {
   const double rate = elapsed_s > 0.0 ? static_cast<double>(summary.processed) / elapsed_s : 0.0;
   std::string text =
@@ -109,9 +110,9 @@ std::string summary_text(const RunSummary& summary, const Found& found, const Tr
                         ms(summary.table_compile_time));
   }
   if (!summary.sinks.empty()) text += "\noutputs\n" + sinks_text(summary.sinks);
-  if (truth.frames > 0) {
-    text +=
-        fmt::format("\nagainst the ground truth of {} frames\n{}", truth.frames, truth_text(truth));
+  if (truth.frames() > 0) {
+    text += fmt::format("\nagainst the ground truth of {} frames\n{}", truth.frames(),
+                        truth_text(truth));
   }
   return text;
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "maggic/runner.hpp"
-#include "maggic/truth_score.hpp"
+#include "maggic/scorecard.hpp"
 
 namespace maggic::app {
 
@@ -20,7 +20,7 @@ struct Found {
 
 /// @param truth compared frames; left out of the report when it has none.
 /// @param elapsed_s wall time of the run.
-std::string summary_text(const RunSummary& summary, const Found& found, const TruthScore& truth,
+std::string summary_text(const RunSummary& summary, const Found& found, const Scorecard& truth,
                          double elapsed_s);
 
 }  // namespace maggic::app

@@ -4,6 +4,7 @@ find_package(yaml-cpp 0.7 REQUIRED)        # YAML events with places; we build t
 find_package(Boost 1.74 REQUIRED)          # headers only: DLL, static_vector, intrusive_ptr
 find_package(fmt 9 REQUIRED)               # text formatting that is checked at compile time
 find_package(nlohmann_json 3.11 REQUIRED)  # JSON Lines out, truth and reports in
+find_package(ZLIB REQUIRED)                # pictures of reports as PNG
 find_package(CLI11 2.1 REQUIRED)           # command line of the program, one translation unit
 find_package(Threads REQUIRED)
 if(BUILD_TESTING)

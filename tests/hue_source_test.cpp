@@ -10,8 +10,8 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgproc.hpp>
 
-#include "annotation.hpp"
 #include "maggic/testing.hpp"
+#include "maggic/truth_file.hpp"
 
 namespace maggic {
 namespace {
@@ -48,11 +48,11 @@ cv::Mat normalized(const cv::Mat& bgr, const std::string& plugin) {
 
 /// Smallest stretch of hue, in 8-bit steps around the circle, between the middle 96 % of one
 /// colour's tag pixels and the next colour's; negative where they overlap.
-int smallest_gap(const cv::Mat& bgr, const Annotation& truth) {
+int smallest_gap(const cv::Mat& bgr, const TrueScene& truth) {
   cv::Mat hsv;
   cv::cvtColor(bgr, hsv, cv::COLOR_BGR2HSV_FULL);
-  std::map<std::string, std::vector<int>> hues;
-  const auto add = [&](const std::string& color, cv::Point2d centre_px) {
+  std::map<Label, std::vector<int>> hues;
+  const auto add = [&](Label color, cv::Point2d centre_px) {
     const cv::Point middle(cvRound(centre_px.x), cvRound(centre_px.y));
     for (int y = -kPatchRadiusPx; y <= kPatchRadiusPx; ++y) {
       for (int x = -kPatchRadiusPx; x <= kPatchRadiusPx; ++x) {
@@ -64,10 +64,10 @@ int smallest_gap(const cv::Mat& bgr, const Annotation& truth) {
       }
     }
   };
-  for (const AnnotatedRobot& robot : truth.robots) {
-    for (const AnnotatedTag& tag : robot.tags) add(tag.color, tag.centroid_px);
+  for (const TrueRobot& robot : truth.robots) {
+    for (const TrueTag& tag : robot.tags) add(tag.label, tag.centroid_px);
   }
-  if (truth.ball_px) add("orange", *truth.ball_px);
+  if (truth.ball) add(*Palette::standard().find("orange"), *truth.ball->centroid_px);
 
   std::vector<std::pair<int, int>> spans;
   for (auto& [color, of_color] : hues) {
@@ -98,8 +98,9 @@ TEST_P(HueSource, TheOriginalColourTellsTagsApartAtLeastAsWell) {
   if (!std::filesystem::exists(kFootage / (c.clip + ".json"))) {
     GTEST_SKIP() << "no footage at " << kFootage;
   }
-  const Annotation truth = load_annotation(kFootage / (c.clip + ".json"));
-  const cv::Mat picture = first_picture(c.source, kFootage / truth.media);
+  const Truth file = load_truth(kFootage / (c.clip + ".json"), Palette::standard());
+  const TrueScene& truth = *file.every_frame;
+  const cv::Mat picture = first_picture(c.source, kFootage / file.media);
   std::map<std::string, int> gap{{"original", smallest_gap(picture, truth)}};
   for (const char* normalizer : {"chromatic", "vector", "weighted"}) {
     gap[normalizer] = smallest_gap(normalized(picture, normalizer), truth);

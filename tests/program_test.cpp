@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "program.hpp"
+#include "temporary_folder.hpp"
 
 namespace maggic {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::EndsWith;
+using testing::Folder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -28,29 +30,6 @@ constexpr const char* kPipeline =
     "source: {synthetic_match: {}}\n"
     "segmenter: hue_pivots\n"
     "tracker: two_tag\n";
-
-/// A folder of its own for files and output.
-class Folder {
- public:
-  Folder() {
-    std::string name = std::filesystem::temp_directory_path() / "maggic_program_XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make " + name);
-    path_ = name;
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::string file(const std::string& name) const { return path_ / name; }
-  std::string write(const std::string& name, std::string_view text) const {
-    std::ofstream(file(name), std::ios::binary) << text;
-    return file(name);
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 class ProgramTest : public ::testing::Test {
  protected:

@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 
 #include "maggic/runner.hpp"
+#include "maggic/scorecard.hpp"
 #include "maggic/testing.hpp"
-#include "maggic/truth_score.hpp"
 
 namespace maggic {
 namespace {
@@ -29,26 +29,28 @@ TEST_P(SyntheticMatch, IsFoundToTheMillimetre) {
   testing::RecordingReporter reporter;
   BuiltPipeline built = build_pipeline(request, testing::registry(), reporter);
   built.sinks.clear();
-  TruthScore score;
+  Scorecard score;
   const std::atomic<bool> stop{false};
-  const RunSummary summary = run(built, {.max_frames = kFrames}, stop, reporter,
-                                 [&](const FrameResult& result, const RunSummary&) {
-                                   ASSERT_TRUE(result.frame.has_truth);
-                                   score.add(result.detections, result.frame.truth);
-                                 });
+  const RunSummary summary =
+      run(built, {.max_frames = kFrames}, stop, reporter,
+          [&](const FrameResult& result, const RunSummary&) {
+            ASSERT_TRUE(result.frame.has_truth);
+            score.add(result.detections, scene_of(result.frame.truth), *built.pipeline->field());
+          });
   EXPECT_TRUE(summary.clean()) << summary.first_error;
-  ASSERT_EQ(score.frames, static_cast<std::uint64_t>(kFrames));
-  EXPECT_GE(static_cast<double>(score.robots_right_id),
-            0.999 * static_cast<double>(score.robots_true));
-  EXPECT_EQ(score.robots_false, 0u);
-  EXPECT_LE(score.robot_position_mm.rmse(), 1.5);
-  EXPECT_LE(score.robot_heading_deg.rmse(), 1.5);
-  EXPECT_GE(static_cast<double>(score.balls_found), 0.999 * static_cast<double>(score.balls_true));
-  EXPECT_EQ(score.balls_false, 0u);
-  EXPECT_LE(score.ball_position_mm.rmse(), 2.0);
-  RecordProperty("position_rmse_mm", std::to_string(score.robot_position_mm.rmse()));
-  RecordProperty("heading_rmse_deg", std::to_string(score.robot_heading_deg.rmse()));
-  RecordProperty("ball_rmse_mm", std::to_string(score.ball_position_mm.rmse()));
+  ASSERT_EQ(score.frames(), static_cast<std::uint64_t>(kFrames));
+  const ObjectTally robots = score.robots();
+  const ObjectTally& ball = score.ball();
+  EXPECT_GE(static_cast<double>(robots.right_identity), 0.999 * static_cast<double>(robots.frames));
+  EXPECT_EQ(score.false_robots(), 0u);
+  EXPECT_LE(robots.position_mm.rmse(), 1.5);
+  EXPECT_LE(robots.heading_deg.rmse(), 1.5);
+  EXPECT_GE(static_cast<double>(ball.seen), 0.999 * static_cast<double>(ball.frames));
+  EXPECT_EQ(score.false_balls(), 0u);
+  EXPECT_LE(ball.position_mm.rmse(), 2.0);
+  RecordProperty("position_rmse_mm", std::to_string(robots.position_mm.rmse()));
+  RecordProperty("heading_rmse_deg", std::to_string(robots.heading_deg.rmse()));
+  RecordProperty("ball_rmse_mm", std::to_string(ball.position_mm.rmse()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Pipelines, SyntheticMatch,

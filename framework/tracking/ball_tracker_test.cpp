@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "maggic/truth_score.hpp"
+#include "maggic/scorecard.hpp"
 #include "tracking/scene_for_tests.hpp"
 
 namespace maggic::tracking {
@@ -101,7 +101,7 @@ TEST_F(BallTest, KicksAndBouncesAreFollowedWithinTwoMillimetres) {
   Dice dice(3);
   cv::Point2d position(0, 0);
   cv::Point2d velocity(1400, 900);
-  TruthScore score;
+  Scorecard score;
   for (int i = 0; i < 1500; ++i) {
     position += velocity * Camera::kFrameS;
     velocity *= 0.995;
@@ -113,10 +113,10 @@ TEST_F(BallTest, KicksAndBouncesAreFollowedWithinTwoMillimetres) {
     scene_.shake(dice, 0.2);
     Detections truth;
     truth.ball.emplace().position_mm = position;
-    score.add(camera_.look_at(scene_), truth);
+    score.add(camera_.look_at(scene_), scene_of(truth), scene_.field());
   }
-  EXPECT_EQ(score.balls_found, score.balls_true);
-  EXPECT_LT(score.ball_position_mm.rmse(), 1.0);
+  EXPECT_EQ(score.ball().seen, score.ball().frames);
+  EXPECT_LT(score.ball().position_mm.rmse(), 1.0);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "maggic/truth_score.hpp"
+#include "maggic/scorecard.hpp"
 #include "tracking/angles.hpp"
 #include "tracking/motion_filter.hpp"
 #include "tracking/scene_for_tests.hpp"
@@ -62,22 +62,21 @@ TEST(FilterTest, FollowsHardDrivingWithoutLagAndDampsNoise) {
     Driver driver(dice, {{0, 0}, 0});
     PositionFilter position;
     HeadingFilter heading;
-    ErrorSum position_error;
-    ErrorSum heading_error;
+    ErrorDistribution position_error;
+    ErrorDistribution heading_error;
     position.start({0, 0}, defaults.position_noise_mm, defaults.max_speed_mm_s);
     heading.start(0, radians(defaults.heading_noise_deg));
     for (int i = 0; i < 5000; ++i) {
       driver.drive(Camera::kFrameS);
       position.predict(Camera::kFrameS, defaults.acceleration_mm_s2);
       heading.predict(Camera::kFrameS, defaults.angular_acceleration_rad_s2);
-      position.correct(driver.pose().position_mm +
-                           cv::Point2d(dice.normal(noise_mm), dice.normal(noise_mm)),
-                       defaults.position_noise_mm);
+      position.correct(
+          driver.pose().position_mm + cv::Point2d(dice.normal(noise_mm), dice.normal(noise_mm)),
+          defaults.position_noise_mm);
       heading.correct(driver.pose().heading_rad + dice.normal(radians(1.0)),
                       radians(defaults.heading_noise_deg));
       position_error.add(distance_mm(position.position_mm(), driver.pose().position_mm));
-      heading_error.add(
-          wrap_turn(heading.heading_rad() - driver.pose().heading_rad) * 180 / kPi);
+      heading_error.add(wrap_turn(heading.heading_rad() - driver.pose().heading_rad) * 180 / kPi);
     }
     // The noise itself is noise_mm·√2 in the plane; a lag would add to it.
     EXPECT_LT(position_error.rmse(), noise_mm * std::sqrt(2.0) * 1.05);
@@ -136,7 +135,7 @@ TEST(FilterTest, ACollisionIsFollowedAtOnce) {
 class MovingMatchTest : public ::testing::Test {
  protected:
   /// Drives robots of both teams with noisy centroids and scores what is reported.
-  TruthScore play(const TagLayout& layout, int a_team, double noise_px, int frames) {
+  Scorecard play(const TagLayout& layout, int a_team, double noise_px, int frames) {
     Dice dice(7);
     std::vector<Driver> drivers;
     std::vector<std::pair<Team, int>> names;
@@ -146,7 +145,7 @@ class MovingMatchTest : public ::testing::Test {
     }
     Camera camera({layout});
     Scene scene;
-    TruthScore score;
+    Scorecard score;
     for (int frame = 0; frame < frames; ++frame) {
       scene.clear();
       Detections truth;
@@ -171,26 +170,28 @@ class MovingMatchTest : public ::testing::Test {
         truth.robots.push_back(real);
       }
       scene.shake(dice, noise_px);
-      score.add(camera.look_at(scene), truth);
+      score.add(camera.look_at(scene), scene_of(truth), scene.field());
     }
     return score;
   }
 };
 
 TEST_F(MovingMatchTest, TwoTagRobotsKeepIdsAndPoses) {
-  const TruthScore score = play(two_tags(), 3, 0.12, 600);
-  EXPECT_EQ(score.robots_right_id, score.robots_true);
-  EXPECT_EQ(score.robots_false, 0u);
-  EXPECT_LT(score.robot_position_mm.rmse(), 0.8);
-  EXPECT_LT(score.robot_heading_deg.rmse(), 1.5);
+  const Scorecard score = play(two_tags(), 3, 0.12, 600);
+  const ObjectTally robots = score.robots();
+  EXPECT_EQ(robots.right_identity, robots.frames);
+  EXPECT_EQ(score.false_robots(), 0u);
+  EXPECT_LT(robots.position_mm.rmse(), 0.8);
+  EXPECT_LT(robots.heading_deg.rmse(), 1.5);
 }
 
 TEST_F(MovingMatchTest, ThreeTagRobotsKeepIdsAndPoses) {
-  const TruthScore score = play(three_tags(), 5, 0.12, 600);
-  EXPECT_EQ(score.robots_right_id, score.robots_true);
-  EXPECT_EQ(score.robots_false, 0u);
-  EXPECT_LT(score.robot_position_mm.rmse(), 0.8);
-  EXPECT_LT(score.robot_heading_deg.rmse(), 1.5);
+  const Scorecard score = play(three_tags(), 5, 0.12, 600);
+  const ObjectTally robots = score.robots();
+  EXPECT_EQ(robots.right_identity, robots.frames);
+  EXPECT_EQ(score.false_robots(), 0u);
+  EXPECT_LT(robots.position_mm.rmse(), 0.8);
+  EXPECT_LT(robots.heading_deg.rmse(), 1.5);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <vector>
 
 #include "maggic/frame_result.hpp"
+#include "maggic/log_histogram.hpp"
 
 namespace maggic {
 
@@ -16,15 +16,14 @@ class DurationHistogram {
  public:
   DurationHistogram();
   void add(std::chrono::nanoseconds value);
-  std::uint64_t count() const { return count_; }
+  std::uint64_t count() const { return histogram_ns_.count(); }
   /// @param q in [0, 1]. @return zero when nothing was recorded; exact to 1 %.
   std::chrono::nanoseconds quantile(double q) const;
   std::chrono::nanoseconds max() const { return max_; }
   std::chrono::nanoseconds mean() const;
 
  private:
-  std::vector<std::uint32_t> buckets_;
-  std::uint64_t count_ = 0;
+  LogHistogram histogram_ns_;
   std::chrono::nanoseconds sum_{0};
   std::chrono::nanoseconds max_{0};
 };

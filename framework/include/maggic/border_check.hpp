@@ -69,8 +69,8 @@ struct BorderLimits {
   int hue_steps = 2;
   /// … or if all its channels were so much brighter or darker, as a part.
   double gain = 0.05;
-  double min_share = 0.05;         ///< Of the pixels of either colour …
-  std::uint64_t min_pixels = 100;  ///< … and at least so many, so that a speck is no reason.
+  double min_share = 0.05;        ///< Of the pixels of either colour …
+  std::uint64_t min_pixels = 50;  ///< … and at least so many, so that a speck is no reason.
 };
 
 /// The doubtful borders of what the pipeline makes of these colours, the worst first. Empty for

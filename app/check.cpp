@@ -1,4 +1,4 @@
-/// `maggic check`: everything short of reading a frame.
+/// `maggic check`: finds mistakes in pipeline files and, given a source, colours that lie badly.
 
 #include <cstdio>
 #include <string>
@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/border_notes.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/console_reporter.hpp"
@@ -22,10 +23,11 @@ ExitCode check_command(const CheckOptions& options, const CommandLine& line) {
     PipelineOptions one = options.common;
     one.pipeline = pipeline;
     try {
-      const BuiltPipeline built = build_pipeline(make_request(one), registry, reporter);
+      BuiltPipeline built = build_pipeline(make_request(one), registry, reporter);
       for (const Mistake& note : built.notes) {
         console.line(note.to_string(), Console::Tone::kWarning, "note: ");
       }
+      if (options.common.source) look_at_source(built, console);
       fmt::print("{}: ok\n", pipeline);
     } catch (const ConfigError& error) {
       mistakes += error.mistakes().size();

@@ -67,6 +67,19 @@ void add_frames(CLI::App& command, std::optional<std::uint64_t>& frames) {
       ->transform(above_zero<std::uint64_t>("a whole number above 0"));
 }
 
+void add_why(CLI::App& command, WhyOptions& why) {
+  CLI::Option* points =
+      command
+          .add_option("--why", why.points,
+                      "Say which stage dropped what lies at this pixel, X,Y, and by which rule; "
+                      "may be given several times")
+          ->allow_extra_args(false);
+  command.add_option("--why-frame", why.frame, "… in this frame (default: the last one)")
+      ->transform(within<std::uint64_t>(0, std::numeric_limits<std::uint64_t>::max(),
+                                        "a frame's number, from 0"))
+      ->needs(points);
+}
+
 /// The options live with the function that hands them over.
 template <class Options, class Describe>
 OfferedCommand offer(CLI::App& app, const char* name, const char* what, Describe describe) {
@@ -85,6 +98,7 @@ void describe_run(CLI::App& command, RunOptionsGiven& run) {
   command.add_option("--output", run.output, "Write JSON Lines here ('-': standard output)");
   command.add_option("--video", run.video, "Write an annotated video here (.mp4)");
   command.add_flag("--realtime", run.realtime, "Play a recording at its own pace, as if live");
+  add_why(command, run.why);
 }
 
 void describe_score(CLI::App& command, ScoreOptions& score) {
@@ -95,6 +109,7 @@ void describe_score(CLI::App& command, ScoreOptions& score) {
   command.add_option("--json", score.json, "Write every figure here");
   command.add_option("--require", score.require,
                      "Fail below these figures, such as seen=99,false=0");
+  add_why(command, score.why);
 }
 
 void describe_compare(CLI::App& command, CompareOptions& compare) {
@@ -155,6 +170,9 @@ void describe_import(CLI::App& command, ImportOptions& import) {
                   "fieldLimits.json")
       ->required();
   command.add_option("-o,--output", import.output, "Calibration file to write")->required();
+  command.add_option("--image-size", import.image_size,
+                     "Size of the picture the corners of fieldLimits.json were taken in, such as "
+                     "640x480");
 }
 
 void describe_check(CLI::App& command, CheckOptions& check) {
@@ -202,7 +220,8 @@ std::vector<OfferedCommand> offer_commands(CLI::App& app) {
       offer_plot(app),
       offer<ImportOptions>(app, "import", "Turn another program's calibration into one of ours",
                            describe_import),
-      offer<CheckOptions>(app, "check", "Find every mistake in pipeline files without running them",
+      offer<CheckOptions>(app, "check", "Find every mistake in pipeline files; with --source, colours that "
+                          "lie badly too",
                           describe_check),
       offer<PluginsOptions>(app, "plugins",
                             "List the plugins found, and files refused with the reason",

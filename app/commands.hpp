@@ -26,6 +26,12 @@ struct PipelineOptions {
   std::vector<std::string> assignments;    ///< `path.to.key=value`
 };
 
+/// Points whose way through the stages is to be told; see why.hpp.
+struct WhyOptions {
+  std::vector<std::string> points;     ///< `X,Y` each, pixels.
+  std::optional<std::uint64_t> frame;  ///< Left out: the last one.
+};
+
 struct RunOptionsGiven {
   PipelineOptions pipeline;
   std::optional<std::uint64_t> frames;
@@ -33,6 +39,7 @@ struct RunOptionsGiven {
   std::optional<std::string> output;  ///< JSON Lines; `-` is standard output.
   std::optional<std::string> video;
   bool realtime = false;
+  WhyOptions why;
 };
 
 struct CheckOptions {
@@ -47,6 +54,7 @@ struct ScoreOptions {
   std::optional<std::uint64_t> frames;
   std::optional<std::filesystem::path> json;
   std::optional<std::string> require;  ///< `seen=99,false=0,…`
+  WhyOptions why;
 };
 
 struct CompareOptions {
@@ -84,6 +92,7 @@ struct CalibrateOptions {
 struct ImportOptions {
   std::vector<std::filesystem::path> files;
   std::filesystem::path output;
+  std::optional<std::string> image_size;  ///< `WxH` of the picture field corners were taken in.
 };
 
 struct PluginsOptions {};

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "app/border_notes.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/console_reporter.hpp"
@@ -15,6 +16,7 @@
 #include "app/progress.hpp"
 #include "app/stop_signals.hpp"
 #include "app/summary.hpp"
+#include "app/why.hpp"
 #include "maggic/runner.hpp"
 #include "maggic/scorecard.hpp"
 
@@ -38,10 +40,11 @@ std::optional<std::uint64_t> expected_frames(const RunOptionsGiven& options,
 }
 
 ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, std::FILE* report,
-                        const std::atomic<bool>& stop, Console& console,
-                        ConsoleReporter& reporter) {
+                        std::atomic<bool>& stop, Console& console, ConsoleReporter& reporter,
+                        Why& why) {
   Found found;
   Scorecard truth;
+  BlobColors blob_colors;
   RunOptions run_options;
   run_options.max_frames = options.frames;
   run_options.max_duration_s = options.duration_s;
@@ -57,14 +60,18 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
                       truth.add(result.detections, scene_of(result.frame.truth),
                                 *built.pipeline->field());
                     }
+                    blob_colors.offer(result);
+                    why.look(*built.pipeline, result, stop);
                     progress.update(result, so_far, expected_frames(options, so_far.source));
                   });
   }
   const double elapsed_s = duration<double>(steady_clock::now() - started).count();
   reporter.print_totals();
+  print_border_notes(*built.pipeline, blob_colors, console);
 
   fmt::print(report, "{}", summary_text(summary, found, truth, elapsed_s));
   std::fflush(report);
+  const ExitCode asked = why.print(report, console);
   if (!summary.clean()) {
     console.line("something failed during the run, see above", Console::Tone::kError, "error: ");
     return kFailed;
@@ -73,12 +80,13 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
     console.line("no frame ever came from the source", Console::Tone::kError, "error: ");
     return kFailed;
   }
-  return kFine;
+  return asked;
 }
 
 }  // namespace
 
 ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
+  Why why(options.why);
   PipelineRequest request = make_request(options.pipeline);
   if (options.output) {
     request.extra_sinks.push_back(sink_node("jsonl", *options.output, "--output"));
@@ -109,9 +117,10 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
                  Console::Tone::kWarning, "note: ");
   }
 
-  const std::atomic<bool>& stop = stop_on_signals();
+  std::atomic<bool>& stop = stop_on_signals();
   try {
-    return run_and_report(built, options, stdout_taken ? stderr : stdout, stop, console, reporter);
+    return run_and_report(built, options, stdout_taken ? stderr : stdout, stop, console, reporter,
+                          why);
   } catch (const std::exception& error) {
     console.line(error.what(), Console::Tone::kError, "error: ");
     return kFailed;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "app/border_notes.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/console_reporter.hpp"
@@ -19,6 +20,7 @@
 #include "app/score_report.hpp"
 #include "app/stop_signals.hpp"
 #include "app/truth_option.hpp"
+#include "app/why.hpp"
 #include "maggic/atomic_file.hpp"
 #include "maggic/runner.hpp"
 #include "maggic/score_figures.hpp"
@@ -44,19 +46,26 @@ std::invalid_argument no_truth(const std::string& source) {
 
 /// @throws std::exception at the first frame that shows that the truth does not belong to it.
 Score run_and_judge(BuiltPipeline& built, const ScoreOptions& options, const std::string& source,
-                    TruthOption& truth, Console& console, ConsoleReporter& reporter) {
+                    TruthOption& truth, Console& console, ConsoleReporter& reporter, Why& why) {
   Score score{Scorecard(truth.tolerance()), {}, {}};
-  Progress progress(console, options.frames);
+  BlobColors blob_colors;
   RunOptions run_options;
   run_options.max_frames = options.frames;
-  score.summary = run(built, run_options, stop_on_signals(), reporter,
-                      [&](const FrameResult& result, const RunSummary& so_far) {
-                        progress.update(result, so_far, so_far.source.frame_count);
-                        const TrueScene* scene = truth.scene_in(result.frame);
-                        if (scene == nullptr && !options.truth) throw no_truth(source);
-                        if (scene == nullptr) return;
-                        score.card.add(result.detections, *scene, *built.pipeline->field());
-                      });
+  std::atomic<bool>& stop = stop_on_signals();
+  {
+    Progress progress(console, options.frames);
+    score.summary = run(built, run_options, stop, reporter,
+                        [&](const FrameResult& result, const RunSummary& so_far) {
+                          progress.update(result, so_far, so_far.source.frame_count);
+                          blob_colors.offer(result);
+                          why.look(*built.pipeline, result, stop);
+                          const TrueScene* scene = truth.scene_in(result.frame);
+                          if (scene == nullptr && !options.truth) throw no_truth(source);
+                          if (scene == nullptr) return;
+                          score.card.add(result.detections, *scene, *built.pipeline->field());
+                        });
+  }
+  print_border_notes(*built.pipeline, blob_colors, console);
   if (truth.file() && built.pipeline->field()) {
     score.corners_px = corner_error_px(*built.pipeline->field(), *truth.file());
   }
@@ -111,6 +120,7 @@ ExitCode report(const Score& score, const std::vector<Requirement>& requirements
 }  // namespace
 
 ExitCode score_command(const ScoreOptions& options, const CommandLine& line) {
+  Why why(options.why);
   std::vector<Requirement> requirements;
   if (options.require) requirements = parse_requirements(*options.require);
   const PipelineRequest request = make_request(options.pipeline);
@@ -139,8 +149,8 @@ ExitCode score_command(const ScoreOptions& options, const CommandLine& line) {
     check_report(*options.json, "--json", inputs);
   }
 
-  const Score score =
-      run_and_judge(built, options, source.value_or(built.source.name), truth, console, reporter);
+  const Score score = run_and_judge(built, options, source.value_or(built.source.name), truth,
+                                    console, reporter, why);
   reporter.print_totals();
   expect_something_judged(score, options);
   if (score.summary.processed == 0) {
@@ -161,7 +171,8 @@ ExitCode score_command(const ScoreOptions& options, const CommandLine& line) {
                  Console::Tone::kError, "error: ");
     return kFailed;
   }
-  return code;
+  const ExitCode asked = why.print(stdout, console);
+  return code == kFine ? asked : code;
 }
 
 }  // namespace maggic::app

@@ -1,10 +1,8 @@
 #include "maggic/document.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,13 +12,10 @@
 #include "config/characters.hpp"
 #include "config/event_tree.hpp"
 #include "config/wording.hpp"
+#include "files/text_file.hpp"
 
 namespace maggic {
 namespace {
-
-[[noreturn]] void refuse_file(const std::filesystem::path& file, std::string message) {
-  throw ConfigError({{file.string(), 0, 0, std::move(message)}});
-}
 
 /// Where `text` stops being text. yaml-cpp guesses encodings, takes byte 4 for the end of the file
 /// and replaces what it cannot read, so nothing of that kind may reach it.
@@ -124,32 +119,7 @@ Node parse_document(std::string_view text, std::string_view file_name,
 }
 
 Node load_document(const std::filesystem::path& file, const DocumentLimits& limits) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) {
-    refuse_file(file, "found no such file, expected a YAML file");
-  }
-  if (error) refuse_file(file, fmt::format("cannot be read: {}", error.message()));
-  if (std::filesystem::is_directory(status)) {
-    refuse_file(file, "found a directory, expected a YAML file");
-  }
-  // A pipe or a device might never end.
-  if (!std::filesystem::is_regular_file(status)) {
-    refuse_file(file, "found something that is no regular file, expected a YAML file");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse_file(file, "cannot be opened for reading, expected a readable YAML file");
-
-  // One byte more than allowed tells a file that is too long, whatever its size claims to be.
-  std::string text(limits.max_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) refuse_file(file, "cannot be read to its end");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > limits.max_bytes) {
-    refuse_file(file, fmt::format("found more than {} bytes, expected at most {}", limits.max_bytes,
-                                  limits.max_bytes));
-  }
-  return parse_document(text, file.string(), limits);
+  return parse_document(read_text_file(file, limits.max_bytes, "YAML file"), file.string(), limits);
 }
 
 }  // namespace maggic

@@ -85,13 +85,17 @@ FrameOutcome Pipeline::process(FrameResult& result) {
   return FrameOutcome::kProcessed;
 }
 
+const cv::Mat* Pipeline::normalized_picture() const {
+  return table_ ? nullptr : &image_path_->normalized();
+}
+
 void Pipeline::take_size(cv::Size size) {
   if (field_ && field_->frame_size_px() == size) return;
   auto field = std::make_shared<const Field>(parts_.field, size);
   const cv::Point2d middle_px((size.width - 1) / 2.0, (size.height - 1) / 2.0);
-  const double mm2_per_px = field->mm2_per_px2(middle_px, field->robot_height_mm());
-  blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / mm2_per_px;
-  blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / mm2_per_px;
+  blob_scale_mm2_per_px_ = field->mm2_per_px2(middle_px, field->robot_height_mm());
+  blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / blob_scale_mm2_per_px_;
+  blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_blobs = static_cast<std::size_t>(parts_.blobs.max_blobs);
   field_ = std::move(field);
 }

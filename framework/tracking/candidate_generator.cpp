@@ -74,26 +74,19 @@ void CandidateGenerator::generate(const TagBlobs& blobs, std::vector<Candidate>&
 void CandidateGenerator::list_options(const TagBlobs& blobs, const Candidate& start) {
   const LayoutModel& layout = layouts_[static_cast<std::size_t>(start.layout)];
   const MetricBlob& team = blobs.all()[static_cast<std::size_t>(start.blobs[0])];
-  const double reach = layout.reach_mm + 3.0 * parameters_.max_patch_error_mm;
+  const double reach = reach_mm(layout);
   const auto [first, last] = blobs.within_x(team.position_mm.x, reach);
   for (std::vector<Option>& options : options_) options.clear();
   for (int b = first; b < last; ++b) {
     const MetricBlob& blob = blobs.all()[static_cast<std::size_t>(b)];
-    if (std::abs(blob.position_mm.y - team.position_mm.y) > reach) continue;
-    if (blob.is_half() && start.has_half) continue;
-    const bool may_be_unlisted = !blobs.is_team_color(blob.label) &&
-                                 blobs.may_be_player(blob.label) &&
-                                 blob.label != parameters_.ball_color;
     for (int patch = 1; patch <= layout.player_count(); ++patch) {
+      if (refusal(blobs, layout, team, patch, blob) != PatchRefusal::kNone) continue;
       const PatchModel& model = layout.patches[static_cast<std::size_t>(patch)];
-      const bool listed = layout.is_listed(patch - 1, blob.label);
-      if ((!listed && !may_be_unlisted) || !blobs.fits_area(model, blob)) continue;
-      if (!keeps_distance(layout, 0, team, patch, blob)) continue;
       const double off = length_of(blob.position_mm - team.position_mm) -
                          length_of(model.center_mm - layout.team().center_mm);
       options_[static_cast<std::size_t>(patch)].push_back(
           {b, place_cost(off, parameters_.max_patch_error_mm) + shape_cost(model, blob, nullptr) +
-                  (listed ? 0.0 : kUnlistedCost)});
+                  (layout.is_listed(patch - 1, blob.label) ? 0.0 : kUnlistedCost)});
     }
   }
   // Best first: when there is too much to try, what is left out is the least likely.
@@ -102,6 +95,30 @@ void CandidateGenerator::list_options(const TagBlobs& blobs, const Candidate& st
       return a.cost != b.cost ? a.cost < b.cost : a.blob < b.blob;
     });
   }
+}
+
+double CandidateGenerator::reach_mm(const LayoutModel& layout) const {
+  return layout.reach_mm + 3.0 * parameters_.max_patch_error_mm;
+}
+
+PatchRefusal CandidateGenerator::refusal(const TagBlobs& blobs, const LayoutModel& layout,
+                                         const MetricBlob& team, int patch,
+                                         const MetricBlob& blob) const {
+  const double reach = reach_mm(layout);
+  if (std::abs(blob.position_mm.x - team.position_mm.x) > reach ||
+      std::abs(blob.position_mm.y - team.position_mm.y) > reach) {
+    return PatchRefusal::kOutOfReach;
+  }
+  if (blob.is_half() && team.is_half()) return PatchRefusal::kTwoHalves;
+  const bool may_be_unlisted = !blobs.is_team_color(blob.label) &&
+                               blobs.may_be_player(blob.label) &&
+                               blob.label != parameters_.ball_color;
+  if (!may_be_unlisted && !layout.is_listed(patch - 1, blob.label)) return PatchRefusal::kColor;
+  if (!blobs.fits_area(layout.patches[static_cast<std::size_t>(patch)], blob)) {
+    return PatchRefusal::kArea;
+  }
+  return keeps_distance(layout, 0, team, patch, blob) ? PatchRefusal::kNone
+                                                      : PatchRefusal::kDistance;
 }
 
 void CandidateGenerator::extend(const TagBlobs& blobs, Candidate& partial, int patch,
@@ -147,10 +164,12 @@ bool CandidateGenerator::keeps_distance(const LayoutModel& layout, int placed_pa
   if (placed.source == blob.source && (placed.parts & blob.parts) != 0) return false;
   const cv::Point2d expected = layout.patches[static_cast<std::size_t>(placed_patch)].center_mm -
                                layout.patches[static_cast<std::size_t>(patch)].center_mm;
-  const double tolerance =
-      (placed.is_half() || blob.is_half() ? 3.0 : 2.0) * parameters_.max_patch_error_mm;
   return std::abs(length_of(placed.position_mm - blob.position_mm) - length_of(expected)) <=
-         tolerance;
+         distance_tolerance_mm(placed, blob);
+}
+
+double CandidateGenerator::distance_tolerance_mm(const MetricBlob& a, const MetricBlob& b) const {
+  return (a.is_half() || b.is_half() ? 3.0 : 2.0) * parameters_.max_patch_error_mm;
 }
 
 bool CandidateGenerator::finish(const TagBlobs& blobs, Candidate& candidate) const {

@@ -23,6 +23,11 @@ class TagBlobs {
   const std::vector<MetricBlob>& all() const { return blobs_; }
   /// Whether the last frame held more blobs than are looked at.
   bool is_cut_short() const { return is_cut_short_; }
+  /// Areas of anything that could be a patch, or two patches run into each other.
+  double min_area_mm2() const { return min_area_mm2_; }
+  double max_area_mm2() const { return max_area_mm2_; }
+  /// Whether some id has the colour on some player patch.
+  bool is_listed(Label label) const { return listed_[label]; }
   /// Indices [first, last) of the blobs with x within `reach_mm` of `x_mm`.
   std::pair<int, int> within_x(double x_mm, double reach_mm) const;
 
@@ -44,6 +49,16 @@ class TagBlobs {
   bool is_cut_short_ = false;
 };
 
+/// Why a blob cannot be a certain player patch of the robot with a certain team patch.
+enum class PatchRefusal {
+  kNone,
+  kOutOfReach,
+  kTwoHalves,  ///< Both are halves of merged blobs.
+  kColor,      ///< Listed for no id, and a team's or the ball's.
+  kArea,
+  kDistance,  ///< From the team patch.
+};
+
 /// Builds candidates from a team patch and at least one player patch.
 class CandidateGenerator {
  public:
@@ -55,6 +70,14 @@ class CandidateGenerator {
 
   /// Whether the last frame held so much noise that not everything was tried.
   bool is_cut_short() const { return is_cut_short_; }
+
+  /// @param patch number of a player patch, from 1.
+  PatchRefusal refusal(const TagBlobs& blobs, const LayoutModel& layout, const MetricBlob& team,
+                       int patch, const MetricBlob& blob) const;
+  /// How far, along x or y, a player patch can lie from its team patch.
+  double reach_mm(const LayoutModel& layout) const;
+  /// How far the distance of two patches may be off that of the pattern.
+  double distance_tolerance_mm(const MetricBlob& a, const MetricBlob& b) const;
 
  private:
   /// A blob that may be a certain player patch of the robot being built.

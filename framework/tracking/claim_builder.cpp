@@ -142,16 +142,21 @@ void ClaimBuilder::claim_by_motion(int index) {
   }
 }
 
-void ClaimBuilder::claim_as_unknown(int index) {
-  const Candidate& candidate = (*candidates_)[static_cast<std::size_t>(index)];
-  if (!parameters_.report_unknown || candidate.has_half) return;
+UnknownRefusal ClaimBuilder::refusal_as_unknown(const Candidate& candidate) const {
+  if (!parameters_.report_unknown) return UnknownRefusal::kNotReported;
+  if (candidate.has_half) return UnknownRefusal::kHalf;
   if (std::abs(candidate.pose.position_mm.x) > field_limit_mm_.x ||
       std::abs(candidate.pose.position_mm.y) > field_limit_mm_.y) {
-    return;
+    return UnknownRefusal::kOutside;
   }
   const double team_cost = shape_cost(layout_at(candidate.layout).team(),
                                       blob_at(candidate.blobs[0]), &candidate.pose.heading_rad);
-  if (team_cost > kMaxUnknownTeamCost) return;
+  return team_cost > kMaxUnknownTeamCost ? UnknownRefusal::kShape : UnknownRefusal::kNone;
+}
+
+void ClaimBuilder::claim_as_unknown(int index) {
+  const Candidate& candidate = (*candidates_)[static_cast<std::size_t>(index)];
+  if (refusal_as_unknown(candidate) != UnknownRefusal::kNone) return;
   add(index, kUnknownId, -1, candidate.score - kUnlistedCost);
 }
 

@@ -17,6 +17,9 @@ struct Claim {
   int track = -1;  ///< The robot it continues; -1: by colour alone, or a new robot.
 };
 
+/// Why a candidate is not believed to be a robot whose colours are in no id table.
+enum class UnknownRefusal { kNone, kNotReported, kHalf, kOutside, kShape };
+
 /// Turns candidates and predicted tracks into claims with scores, groups and conflicts, as
 /// AssignmentSolver wants them.
 class ClaimBuilder {
@@ -36,6 +39,8 @@ class ClaimBuilder {
   std::span<const std::pair<int, int>> conflicts() const { return conflicts_; }
   /// Whether the last frame held so much noise that the poorest claims were left out.
   bool is_cut_short() const { return is_cut_short_; }
+  /// For what the last `build` was given.
+  UnknownRefusal refusal_as_unknown(const Candidate& candidate) const;
 
  private:
   void add(int candidate, int id, int track, double score);

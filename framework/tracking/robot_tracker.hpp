@@ -1,8 +1,10 @@
 #pragma once
 /// All robots over time: which claim continues which track, and what is reported.
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "assignment/assignment.hpp"
@@ -10,6 +12,7 @@
 #include "maggic/tracking_engine.hpp"
 #include "tracking/candidate_generator.hpp"
 #include "tracking/claim_builder.hpp"
+#include "tracking/robot_evidence.hpp"
 #include "tracking/robot_track.hpp"
 
 namespace maggic::tracking {
@@ -28,10 +31,21 @@ class RobotTracker {
   std::span<const RobotTrack> tracks() const { return tracks_; }
   /// Whether the last frame held so much noise that the least likely robots were left out.
   bool is_cut_short() const { return is_cut_short_; }
+  /// Whether a blob of this colour may be a patch of any robot.
+  bool may_be_patch(Label label) const {
+    return blobs_.is_team_color(label) || blobs_.may_be_player(label);
+  }
+  /// The robot that has the blob among its patches, and as which one; empty when none has.
+  std::string explain_owner(const TrackerInput& input, std::size_t blob,
+                            const Palette& palette) const;
+  /// Why no robot has the blob among its patches. Both after `track`, with the same input.
+  std::string explain_refusal(const TrackerInput& input, std::size_t blob,
+                              const Palette& palette) const;
   /// Half side of the robot's body: its tag and a rim.
   double half_body_mm(const RobotTrack& track) const;
 
  private:
+  RobotEvidence evidence() const;
   void continue_tracks();
   int motion_source(const Claim& claim) const;
   void keep_unseen_tracks(cv::Point2d limit_mm);

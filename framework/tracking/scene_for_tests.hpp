@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -151,6 +152,12 @@ class Camera {
     captured_ += std::chrono::nanoseconds(std::llround(after_s * 1e9));
     engine_.track({sequence_++, captured_, scene.blobs(), scene.field()}, out_);
     return out_;
+  }
+
+  /// What the engine made of a blob of the scene it looked at last.
+  std::string explain(const Scene& scene, std::size_t blob) const {
+    return engine_.explain({sequence_ - 1, captured_, scene.blobs(), scene.field()}, blob,
+                           Palette::standard());
   }
 
  private:

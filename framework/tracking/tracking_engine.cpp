@@ -71,6 +71,17 @@ class TrackingEngine::Impl {
     ball_.report(input, out);
   }
 
+  std::string explain(const TrackerInput& input, std::size_t blob, const Palette& palette) const {
+    if (std::string owner = robots_.explain_owner(input, blob, palette); !owner.empty()) {
+      return owner;
+    }
+    if (ball_.is_seen_as(blob)) return "the ball";
+    const std::string as_robot = robots_.explain_refusal(input, blob, palette);
+    if (input.blobs[blob].label != parameters_.ball_color) return as_robot;
+    const std::string as_ball = ball_.explain(input, bodies_, blob);
+    return robots_.may_be_patch(parameters_.ball_color) ? as_ball + "\n" + as_robot : as_ball;
+  }
+
   TrackedPattern pattern() const {
     return {tag_layouts_, parameters_.blue_team_color, parameters_.yellow_team_color,
             parameters_.ball_color, parameters_.ball_diameter_mm};
@@ -106,6 +117,11 @@ TrackingEngine::TrackingEngine(const TrackingParameters& parameters, std::vector
 TrackingEngine::~TrackingEngine() = default;
 
 void TrackingEngine::track(const TrackerInput& input, Detections& out) { impl_->track(input, out); }
+
+std::string TrackingEngine::explain(const TrackerInput& input, std::size_t blob,
+                                    const Palette& palette) const {
+  return impl_->explain(input, blob, palette);
+}
 
 TrackedPattern TrackingEngine::pattern() const { return impl_->pattern(); }
 

@@ -81,6 +81,13 @@ class Pipeline {
 
   /// The compiled table; nothing when a stage needs the picture.
   const ColorTable* color_table() const { return table_ ? &*table_ : nullptr; }
+  /// The blob limits, in pixels, for the latest processed frame's size; and the scale they were
+  /// made with, that of the picture's middle at the robots' tag height.
+  const BlobExtractor::Limits& blob_limits_px() const { return blob_limits_px_; }
+  double blob_scale_mm2_per_px() const { return blob_scale_mm2_per_px_; }
+  /// The latest processed frame as the normalizer made it, valid until the next; null when there is
+  /// a table.
+  const cv::Mat* normalized_picture() const;
   /// Zero when there is no table.
   std::chrono::nanoseconds table_compile_time() const { return table_compile_time_; }
 
@@ -95,6 +102,7 @@ class Pipeline {
   std::unique_ptr<ImagePath> image_path_;  ///< Used when there is no table.
   std::shared_ptr<const Field> field_;
   BlobExtractor::Limits blob_limits_px_;
+  double blob_scale_mm2_per_px_ = 0.0;
   BlobExtractor blob_extractor_;
 };
 

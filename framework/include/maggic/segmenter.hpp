@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
@@ -32,6 +33,15 @@ class ColorSegmenter : public Segmenter {
   /// @param original,normalized one colour each.
   virtual std::string explain(const ColorBatch& /*original*/,
                               const ColorBatch& /*normalized*/) const {
+    return {};
+  }
+
+  /// Every colour whose region holds this one, the one `segment` gives it first. More than one means
+  /// that an order decides, which is worth a warning where such colours are seen. Empty: regions
+  /// cannot overlap, or the segmenter does not say.
+  /// @param original,normalized one colour each.
+  virtual std::vector<Label> claimants(const ColorBatch& /*original*/,
+                                       const ColorBatch& /*normalized*/) const {
     return {};
   }
 

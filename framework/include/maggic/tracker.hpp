@@ -1,9 +1,11 @@
 #pragma once
 /// Trackers: turn the blobs of a frame into robots and ball, and keep them over time.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "maggic/blob.hpp"
@@ -44,6 +46,16 @@ class Tracker : public Stage {
   /// order Detections states. A time that goes backwards or jumps forgets motion, never crashes.
   /// `out` may hold an earlier frame's data: overwrite it.
   virtual void track(const TrackerInput& input, Detections& out) = 0;
+
+  /// What the last `track` made of one blob, as `maggic run --why` asks: the object it belongs to,
+  /// or the rule that kept it from being one, with its numbers and the parameters to turn. One
+  /// sentence a line; empty: the tracker does not say.
+  /// @param input the very input of the last `track`. @param blob index into its blobs.
+  /// @param palette names the colours in the answer.
+  virtual std::string explain(const TrackerInput& /*input*/, std::size_t /*blob*/,
+                              const Palette& /*palette*/) const {
+    return {};
+  }
 };
 
 }  // namespace maggic

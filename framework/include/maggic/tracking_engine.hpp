@@ -2,7 +2,9 @@
 /// The engine every shipped tracker shares: match tag layouts to blobs, then keep objects over
 /// time.
 
+#include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "maggic/parameters.hpp"
@@ -53,6 +55,9 @@ class TrackingEngine {
 
   /// Tracker's contract; see tracker.hpp.
   void track(const TrackerInput& input, Detections& out);
+
+  /// Tracker::explain; see tracker.hpp.
+  std::string explain(const TrackerInput& input, std::size_t blob, const Palette& palette) const;
 
   /// What it was made to look for.
   TrackedPattern pattern() const;

@@ -29,16 +29,19 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <opencv2/core/fast_math.hpp>
 
@@ -102,14 +105,18 @@ std::vector<std::uint8_t> opencv_hues() {
   return hues;
 }
 
+int distance_on_circle(int a, int b) {
+  const int straight = std::abs(a - b);
+  return std::min(straight, kHues - straight);
+}
+
 std::array<Label, kHues> nearest_pivots(const Pivots& pivots) {
   std::array<Label, kHues> labels;
   for (int hue = 0; hue < kHues; ++hue) {
     int nearest = kHues;
     for (const auto& [label, pivot_hues] : pivots) {
       for (const int pivot : pivot_hues) {
-        const int straight = std::abs(hue - pivot);
-        const int distance = std::min(straight, kHues - straight);
+        const int distance = distance_on_circle(hue, pivot);
         if (distance < nearest) {
           nearest = distance;
           labels[static_cast<std::size_t>(hue)] = label;
@@ -125,6 +132,9 @@ std::uint8_t largest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
 }
 std::uint8_t smallest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
   return std::min(std::min(b, g), r);
+}
+int spread_of(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
+  return largest(b, g, r) - smallest(b, g, r);
 }
 
 void hue_indices(const ColorBatch& colors, std::uint32_t* __restrict indices) {
@@ -155,39 +165,41 @@ class HuePivots final : public maggic::ColorSegmenter {
               gray_threshold_, {0, 255});
     p.choice({"hue_of", "the colour whose hue is taken"}, hue_of_,
              {{"original", HueOf::kOriginal}, {"normalized", HueOf::kNormalized}});
-    p.by_color({"pivots",
-                "hues of each colour to be found; none: red 0, orange 7, yellow 43, green 97, "
-                "cyan 140, blue 151, magenta 235, as far as the palette has them",
-                "1/256 of the hue circle"},
-               pivots_, {0, 255}, [](Parameters& color, std::vector<int>& hues) {
-                 color.list({"", "one hue or several", "1/256 of the hue circle"}, hues, {1, kHues},
-                            [](Parameters& element, int& hue) {
-                              element.integer({"", "a hue", "1/256 of the hue circle"}, hue,
-                                              {0, kHues - 1});
-                            });
-               });
+    p.by_color(
+        {"pivots",
+         "hues of each colour to be found; none: red 0, orange 7, yellow 43, green 97, "
+         "cyan 140, blue 151, magenta 235, as far as the palette has them",
+         "1/256 of the hue circle"},
+        pivots_, {0, 255}, [](Parameters& color, std::vector<int>& hues) {
+          color.list(
+              {"", "one hue or several", "1/256 of the hue circle"}, hues, {1, kHues},
+              [](Parameters& element, int& hue) {
+                element.integer({"", "a hue", "1/256 of the hue circle"}, hue, {0, kHues - 1});
+              });
+        });
     check_pivots_differ(p);
     p.list({"exclude", "rectangles of hue and value or saturation that are always background"},
            exclusions_, {0, static_cast<int>(kMaxExclusions)}, describe_exclusion);
   }
 
   void prepare(const maggic::StageContext& context) override {
-    Pivots pivots = pivots_;
-    if (pivots.empty()) {
+    palette_ = &context.palette;
+    used_pivots_ = pivots_;
+    if (used_pivots_.empty()) {
       for (const DefaultPivot& pivot : kDefaultPivots) {
         if (const auto label = context.palette.find(pivot.color)) {
-          pivots.push_back({*label, {pivot.hue}});
+          used_pivots_.push_back({*label, {pivot.hue}});
         }
       }
     }
-    if (pivots.empty()) {
+    if (used_pivots_.empty()) {
       throw std::invalid_argument(fmt::format(
           "no pivots given, and the palette ({}) has none of the colours with a default pivot; "
           "expected pivots for the colours to be found",
           context.palette.known_names()));
     }
     hues_ = opencv_hues();
-    const std::array<Label, kHues> label_of_hue = nearest_pivots(pivots);
+    const std::array<Label, kHues> label_of_hue = nearest_pivots(used_pivots_);
     label_of_index_.resize(hues_.size());
     std::ranges::transform(hues_, label_of_index_.begin(),
                            [&](std::uint8_t hue) { return label_of_hue[hue]; });
@@ -215,6 +227,31 @@ class HuePivots final : public maggic::ColorSegmenter {
       clear_gray(normalized_piece, piece);
       if (!exclusions_.empty()) clear_excluded(hue_piece, indices.data(), piece);
     }
+  }
+
+  std::string explain(const ColorBatch& original, const ColorBatch& normalized) const override {
+    const bool takes_original = hue_of_ == HueOf::kOriginal;
+    const ColorBatch& of_hue = takes_original ? original : normalized;
+    const int spread = spread_of(normalized.b[0], normalized.g[0], normalized.r[0]);
+    if (spread_of(of_hue.b[0], of_hue.g[0], of_hue.r[0]) == 0) {
+      return "gray: the channels are all equal, so the colour has no hue";
+    }
+    std::uint32_t index = 0;
+    hue_indices(of_hue, &index);
+    const int hue = hues_[index];
+    const std::string by_hue =
+        fmt::format("hue {} of the {} colour {}", hue, takes_original ? "original" : "normalized",
+                    nearest_text(hue));
+    if (spread <= gray_threshold_) {
+      return fmt::format(
+          "gray: channels of the normalized colour spread over {} steps, gray_threshold is {}; "
+          "without the gray filter: {}",
+          spread, gray_threshold_, by_hue);
+    }
+    if (const std::string excluded = exclusion_text(of_hue, index); !excluded.empty()) {
+      return fmt::format("{}; without that: {}", excluded, by_hue);
+    }
+    return by_hue;
   }
 
  private:
@@ -250,9 +287,9 @@ class HuePivots final : public maggic::ColorSegmenter {
                    "1/256 of the hue circle", maggic::Presence::kRequired},
                   exclusion.hue);
     describe_span({"value", "of the largest channel; absent: any", "8-bit steps"}, exclusion.value);
-    describe_span({"saturation", "absent: any; where value is given too, both must hold",
-                   "8-bit steps"},
-                  exclusion.saturation);
+    describe_span(
+        {"saturation", "absent: any; where value is given too, both must hold", "8-bit steps"},
+        exclusion.saturation);
     check_order("value", exclusion.value);
     check_order("saturation", exclusion.saturation);
   }
@@ -270,6 +307,55 @@ class HuePivots final : public maggic::ColorSegmenter {
     }
   }
 
+  struct Nearest {
+    Label label = kBackground;
+    int pivot = 0;
+    int distance = kHues;
+  };
+
+  /// The pivot nearest to a hue among those of all colours but `but`; ties as in `segment`.
+  Nearest nearest_pivot(int hue, Label but = kBackground) const {
+    Nearest nearest;
+    for (const auto& [label, pivot_hues] : used_pivots_) {
+      if (label == but) continue;
+      for (const int pivot : pivot_hues) {
+        const int distance = distance_on_circle(hue, pivot);
+        if (distance < nearest.distance) nearest = {label, pivot, distance};
+      }
+    }
+    return nearest;
+  }
+
+  std::string nearest_text(int hue) const {
+    const Nearest first = nearest_pivot(hue);
+    const Nearest second = nearest_pivot(hue, first.label);
+    std::string text = fmt::format("is nearest to {}'s pivot {} ({} away)",
+                                   palette_->name(first.label), first.pivot, first.distance);
+    if (second.label != kBackground) {
+      text += fmt::format("; next is {}'s {} ({} away)", palette_->name(second.label), second.pivot,
+                          second.distance);
+    }
+    return text;
+  }
+
+  /// Names the rectangle that holds the colour; empty when none does.
+  std::string exclusion_text(const ColorBatch& color, std::uint32_t index) const {
+    Label label = 1;
+    clear_excluded(color, &index, {&label, 1});
+    if (label != kBackground) return {};
+    const std::uint8_t value = largest(color.b[0], color.g[0], color.r[0]);
+    const int saturation = saturation_of(value, spread_of(color.b[0], color.g[0], color.r[0]));
+    const std::uint32_t holding = hue_bits_[hues_[index]] & value_bits_[value] &
+                                  saturation_bits_[static_cast<std::size_t>(saturation)];
+    const auto number = static_cast<std::size_t>(std::countr_zero(holding));
+    const Exclusion& span = exclusions_[number];
+    return fmt::format(
+        "excluded: hue {}, saturation {}, value {} lie in exclude[{}] (hue [{}], saturation [{}], "
+        "value [{}])",
+        hues_[index], saturation, value, number, fmt::join(span.hue, ", "),
+        fmt::join(span.saturation, ", "), fmt::join(span.value, ", "));
+  }
+
   // A span whose first end is the larger one wraps around; only a hue's may.
   static void mark(const std::vector<int>& span, std::size_t exclusion, SpanBits& bits) {
     const int length = (span[1] - span[0] + 256) % 256;
@@ -285,18 +371,22 @@ class HuePivots final : public maggic::ColorSegmenter {
     Label* __restrict out = labels.data();
     const auto threshold = static_cast<std::uint8_t>(gray_threshold_);
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      const auto spread = static_cast<std::uint8_t>(largest(b[i], g[i], r[i]) -
-                                                    smallest(b[i], g[i], r[i]));
+      const auto spread =
+          static_cast<std::uint8_t>(largest(b[i], g[i], r[i]) - smallest(b[i], g[i], r[i]));
       out[i] = spread <= threshold ? kBackground : out[i];
     }
+  }
+
+  int saturation_of(std::uint8_t value, int spread) const {
+    return (spread * saturation_scale_[value] + (1 << 11)) >> 12;
   }
 
   void clear_excluded(const ColorBatch& colors, const std::uint32_t* indices,
                       std::span<Label> labels) const {
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
-      const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
-      const int saturation = (spread * saturation_scale_[value] + (1 << 11)) >> 12;
+      const int saturation =
+          saturation_of(value, value - smallest(colors.b[i], colors.g[i], colors.r[i]));
       const std::uint32_t holding = hue_bits_[hues_[indices[i]]] & value_bits_[value] &
                                     saturation_bits_[static_cast<std::size_t>(saturation)];
       labels[i] = holding != 0 ? kBackground : labels[i];
@@ -308,8 +398,10 @@ class HuePivots final : public maggic::ColorSegmenter {
   Pivots pivots_;
   std::vector<Exclusion> exclusions_;
 
-  std::vector<std::uint8_t> hues_;      ///< At hue_index.
-  std::vector<Label> label_of_index_;   ///< At hue_index.
+  const maggic::Palette* palette_ = nullptr;
+  Pivots used_pivots_;                 ///< Those given, or the defaults.
+  std::vector<std::uint8_t> hues_;     ///< At hue_index.
+  std::vector<Label> label_of_index_;  ///< At hue_index.
   std::array<int, 256> saturation_scale_{};
   SpanBits hue_bits_{};
   SpanBits value_bits_{};

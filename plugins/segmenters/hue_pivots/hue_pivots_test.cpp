@@ -29,6 +29,8 @@ constexpr int kRedStep = 1;
 #endif
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 struct Rgb {
   std::uint8_t r, g, b;
@@ -36,13 +38,23 @@ struct Rgb {
 
 Label label_of(const Segmenter& segmenter, Rgb original, Rgb normalized) {
   Label label = 99;
-  dynamic_cast<const ColorSegmenter&>(segmenter)
-      .segment({{&original.b, 1}, {&original.g, 1}, {&original.r, 1}},
-               {{&normalized.b, 1}, {&normalized.g, 1}, {&normalized.r, 1}}, {&label, 1});
+  dynamic_cast<const ColorSegmenter&>(segmenter).segment(
+      {{&original.b, 1}, {&original.g, 1}, {&original.r, 1}},
+      {{&normalized.b, 1}, {&normalized.g, 1}, {&normalized.r, 1}}, {&label, 1});
   return label;
 }
 
 Label label_of(const Segmenter& segmenter, Rgb color) { return label_of(segmenter, color, color); }
+
+std::string explanation(const Segmenter& segmenter, Rgb original, Rgb normalized) {
+  return dynamic_cast<const ColorSegmenter&>(segmenter).explain(
+      {{&original.b, 1}, {&original.g, 1}, {&original.r, 1}},
+      {{&normalized.b, 1}, {&normalized.g, 1}, {&normalized.r, 1}});
+}
+
+std::string explanation(const Segmenter& segmenter, Rgb color) {
+  return explanation(segmenter, color, color);
+}
 
 StagePtr<Segmenter> hue_pivots(std::string_view yaml) {
   return testing::make<Segmenter>("hue_pivots", yaml);
@@ -145,11 +157,10 @@ TEST(HuePivots, ExcludesRectanglesOfOpenCvsHueSaturationAndValue) {
   std::size_t wrong = 0;
   for_every_color(*stage, [&](const cv::Vec3b& bgr, const cv::Vec3b& hsv, Label label) {
     const auto [hue, saturation, value] = std::tuple{hsv[0], hsv[1], hsv[2]};
-    const bool excluded =
-        ((hue >= 250 || hue <= 10) && value >= 20 && value <= 90) ||
-        (hue >= 100 && hue <= 140 && saturation <= 60) ||
-        (hue >= 30 && hue <= 90 && value >= 100 && value <= 200 && saturation >= 33 &&
-         saturation <= 77);
+    const bool excluded = ((hue >= 250 || hue <= 10) && value >= 20 && value <= 90) ||
+                          (hue >= 100 && hue <= 140 && saturation <= 60) ||
+                          (hue >= 30 && hue <= 90 && value >= 100 && value <= 200 &&
+                           saturation >= 33 && saturation <= 77);
     wrong += label != (is_gray(bgr) || excluded ? kBackground : standard("red"));
   });
   EXPECT_EQ(wrong, 0U);
@@ -205,6 +216,33 @@ TEST(HuePivots, RefusesSpansThatRunBackwardsUnlessTheyAreHues) {
   EXPECT_NE(mistakes_of("exclude: [{value: [0, 20]}]"), "none");
   EXPECT_NE(mistakes_of("exclude: [{hue: [0, 9, 20]}]"), "none");
   EXPECT_EQ(mistakes_of("exclude: [{hue: [250, 9]}]"), "none");
+}
+
+TEST(HuePivots, SaysWhichPivotIsNearestAndWhichIsNext) {
+  EXPECT_EQ(
+      explanation(*hue_pivots("pivots: {red: 3, orange: 20}"), {255, 0, 0}),
+      "hue 0 of the original colour is nearest to red's pivot 3 (3 away); next is orange's 20 "
+      "(20 away)");
+}
+
+TEST(HuePivots, SaysWhatTheGrayFilterTakesAway) {
+  const std::string why = explanation(*hue_pivots("gray_threshold: 60"), {255, 0, 0}, {62, 50, 50});
+  EXPECT_THAT(why, StartsWith("gray: channels of the normalized colour spread over 12 steps, "
+                              "gray_threshold is 60; without the gray filter: hue 0"));
+}
+
+TEST(HuePivots, SaysWhichRectangleExcludesAColor) {
+  const auto stage = hue_pivots(
+      "exclude: [{hue: [90, 99]}, {hue: [250, 10], value: [0, 120], saturation: [200, 255]}]");
+  EXPECT_THAT(explanation(*stage, {100, 0, 0}),
+              StartsWith("excluded: hue 0, saturation 255, value 100 lie in exclude[1] (hue [250, "
+                         "10], saturation [200, 255], value [0, 120]); without that: hue 0"));
+  EXPECT_THAT(explanation(*stage, {121, 0, 0}), Not(HasSubstr("excluded")));
+}
+
+TEST(HuePivots, SaysThatAColorHasNoHue) {
+  EXPECT_THAT(explanation(*hue_pivots("gray_threshold: 0"), {80, 80, 80}, {90, 80, 80}),
+              HasSubstr("no hue"));
 }
 
 TEST(HuePivots, LeavesOutDefaultPivotsThePaletteLacks) {

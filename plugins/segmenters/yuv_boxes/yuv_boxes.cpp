@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -113,6 +114,8 @@ class YuvBoxes final : public maggic::ColorSegmenter {
                });
   }
 
+  void prepare(const maggic::StageContext& context) override { palette_ = &context.palette; }
+
   void segment(const ColorBatch& original, const ColorBatch& normalized,
                std::span<Label> labels) const override {
     Plane y;
@@ -137,7 +140,103 @@ class YuvBoxes final : public maggic::ColorSegmenter {
     }
   }
 
+  std::string explain(const ColorBatch& original, const ColorBatch& normalized) const override {
+    const Yuv color(normalized);
+    std::string by_box = fmt::format("YUV {} {} {} of the normalized colour {}", color.y, color.u,
+                                     color.v, box_text(color));
+    if (!is_gray(original)) return by_box;
+    return fmt::format(
+        "gray: channels of the original colour spread over {} steps, gray_threshold is {}; "
+        "without the gray filter: {}",
+        spread_of(original), *gray_threshold_, by_box);
+  }
+
+  std::vector<Label> claimants(const ColorBatch& original,
+                               const ColorBatch& normalized) const override {
+    std::vector<Label> holding;
+    if (is_gray(original)) return holding;
+    const Yuv color(normalized);
+    for (const auto& [label, box] : boxes_) {
+      if (miss_of(box, color).steps == 0) holding.push_back(label);
+    }
+    return holding;
+  }
+
  private:
+  struct Yuv {
+    int y;
+    int u;
+    int v;
+
+    explicit Yuv(const ColorBatch& color) {
+      std::array<std::uint8_t, 3> yuv{};
+      convert_to_yuv({color.b.first(1), color.g.first(1), color.r.first(1)}, &yuv[0], &yuv[1],
+                     &yuv[2]);
+      y = yuv[0];
+      u = yuv[1];
+      v = yuv[2];
+    }
+  };
+
+  /// How far a colour lies outside of a box.
+  struct Miss {
+    int steps = 0;     ///< Over all sides; 0: the box holds it.
+    std::string text;  ///< "V 190 is 4 below its 194 … 230".
+  };
+
+  static Miss miss_of(const Box& box, const Yuv& color) {
+    Miss miss;
+    const auto add = [&](char axis, const std::vector<int>& bounds, int value) {
+      const int below = bounds[0] - value;
+      const int above = value - bounds[1];
+      if (below <= 0 && above <= 0) return;
+      miss.steps += std::max(below, above);
+      miss.text +=
+          fmt::format("{}{} {} is {} {} its {} … {}", miss.text.empty() ? "" : ", ", axis, value,
+                      std::max(below, above), below > 0 ? "below" : "above", bounds[0], bounds[1]);
+    };
+    add('Y', box.y, color.y);
+    add('U', box.u, color.u);
+    add('V', box.v, color.v);
+    return miss;
+  }
+
+  std::string box_text(const Yuv& color) const {
+    std::string holders;
+    const std::pair<Label, Box>* nearest = nullptr;
+    Miss smallest;
+    int holding = 0;
+    for (const auto& entry : boxes_) {
+      Miss miss = miss_of(entry.second, color);
+      if (miss.steps == 0) {
+        holders += fmt::format("{}{}", holding++ == 0 ? "" : ", ", palette_->name(entry.first));
+      } else if (nearest == nullptr || miss.steps < smallest.steps) {
+        nearest = &entry;
+        smallest = std::move(miss);
+      }
+    }
+    if (holding == 0) {
+      return fmt::format("is in no box; nearest is the box of {}: {}",
+                         palette_->name(nearest->first), smallest.text);
+    }
+    std::string text = holding == 1
+                           ? fmt::format("is in the box of {}", holders)
+                           : fmt::format("is in the boxes of {}: the first listed wins", holders);
+    if (nearest != nullptr) {
+      text += fmt::format("; next is {}: {}", palette_->name(nearest->first), smallest.text);
+    }
+    return text;
+  }
+
+  static int spread_of(const ColorBatch& color) {
+    const auto [least, most] = std::minmax({color.b[0], color.g[0], color.r[0]});
+    return most - least;
+  }
+
+  bool is_gray(const ColorBatch& original) const {
+    return gray_threshold_ && spread_of(original) <= *gray_threshold_;
+  }
+
   static void paint_inside(const Box& box, Label label, const Plane& y, const Plane& u,
                            const Plane& v, std::span<Label> labels) {
     const Bounds in_y(box.y);
@@ -166,6 +265,7 @@ class YuvBoxes final : public maggic::ColorSegmenter {
 
   std::optional<int> gray_threshold_;
   std::vector<std::pair<Label, Box>> boxes_;
+  const maggic::Palette* palette_ = nullptr;
 };
 
 }  // namespace

@@ -12,7 +12,10 @@
 namespace maggic {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 struct Rgb {
   std::uint8_t r, g, b;
@@ -20,13 +23,23 @@ struct Rgb {
 
 Label label_of(const Segmenter& segmenter, Rgb original, Rgb normalized) {
   Label label = 99;
-  dynamic_cast<const ColorSegmenter&>(segmenter)
-      .segment({{&original.b, 1}, {&original.g, 1}, {&original.r, 1}},
-               {{&normalized.b, 1}, {&normalized.g, 1}, {&normalized.r, 1}}, {&label, 1});
+  dynamic_cast<const ColorSegmenter&>(segmenter).segment(
+      {{&original.b, 1}, {&original.g, 1}, {&original.r, 1}},
+      {{&normalized.b, 1}, {&normalized.g, 1}, {&normalized.r, 1}}, {&label, 1});
   return label;
 }
 
 Label label_of(const Segmenter& segmenter, Rgb color) { return label_of(segmenter, color, color); }
+
+std::string explanation(const Segmenter& segmenter, Rgb color) {
+  const ColorBatch one{{&color.b, 1}, {&color.g, 1}, {&color.r, 1}};
+  return dynamic_cast<const ColorSegmenter&>(segmenter).explain(one, one);
+}
+
+std::vector<Label> claimants(const Segmenter& segmenter, Rgb color) {
+  const ColorBatch one{{&color.b, 1}, {&color.g, 1}, {&color.r, 1}};
+  return dynamic_cast<const ColorSegmenter&>(segmenter).claimants(one, one);
+}
 
 Label standard(std::string_view name) { return testing::standard_palette().find(name).value(); }
 
@@ -43,9 +56,10 @@ constexpr const char* kWhole = "{y: [0, 255], u: [0, 255], v: [0, 255]}";
 
 TEST(YuvBoxes, HoldsBothBoundsOfABox) {
   // Red (255, 0, 0) is Y 76, U 85, V 255; green (0, 255, 0) is Y 149, U 43, V 23.
-  const auto exactly = testing::make<Segmenter>(
-      "yuv_boxes", "boxes: {red: {y: [76, 76], u: [85, 85], v: [255, 255]}, "
-                   "green: {y: [149, 149], u: [43, 43], v: [23, 23]}}");
+  const auto exactly =
+      testing::make<Segmenter>("yuv_boxes",
+                               "boxes: {red: {y: [76, 76], u: [85, 85], v: [255, 255]}, "
+                               "green: {y: [149, 149], u: [43, 43], v: [23, 23]}}");
   EXPECT_EQ(label_of(*exactly, {255, 0, 0}), standard("red"));
   EXPECT_EQ(label_of(*exactly, {0, 255, 0}), standard("green"));
   EXPECT_EQ(label_of(*exactly, {250, 0, 0}), kBackground);
@@ -78,10 +92,11 @@ TEST(YuvBoxes, FiltersNoGrayUnlessAskedTo) {
 }
 
 TEST(YuvBoxes, ConvertsEveryColorAsTheIntegerFormulasSay) {
-  const auto odd = testing::make<Segmenter>(
-      "yuv_boxes", "boxes: {red: {y: [60, 131], u: [77, 150], v: [101, 202]}, "
-                   "green: {y: [33, 190], u: [20, 99], v: [30, 120]}, "
-                   "blue: {y: [1, 90], u: [129, 254], v: [3, 127]}}");
+  const auto odd =
+      testing::make<Segmenter>("yuv_boxes",
+                               "boxes: {red: {y: [60, 131], u: [77, 150], v: [101, 202]}, "
+                               "green: {y: [33, 190], u: [20, 99], v: [30, 120]}, "
+                               "blue: {y: [1, 90], u: [129, 254], v: [3, 127]}}");
   const auto& segmenter = dynamic_cast<const ColorSegmenter&>(*odd);
   constexpr std::size_t kBatch = 256 * 256;
   std::vector<std::uint8_t> b(kBatch);
@@ -112,6 +127,42 @@ TEST(YuvBoxes, ConvertsEveryColorAsTheIntegerFormulasSay) {
     }
   }
   EXPECT_EQ(wrong, 0U);
+}
+
+// Red (255, 0, 0) is Y 76, U 85, V 255.
+TEST(YuvBoxes, SaysWhichSideOfTheNearestBoxMisses) {
+  const auto stage =
+      testing::make<Segmenter>("yuv_boxes",
+                               "boxes: {green: {y: [0, 255], u: [0, 60], v: [0, 90]}, "
+                               "red: {y: [80, 200], u: [0, 83], v: [0, 255]}}");
+  EXPECT_EQ(explanation(*stage, {255, 0, 0}),
+            "YUV 76 85 255 of the normalized colour is in no box; nearest is the box of red: Y 76 "
+            "is 4 below its 80 … 200, U 85 is 2 above its 0 … 83");
+}
+
+TEST(YuvBoxes, SaysWhichBoxesHoldAColor) {
+  const auto stage = testing::make<Segmenter>(
+      "yuv_boxes", std::string("boxes: {yellow: ") + kWhole + ", blue: " + kWhole +
+                       ", red: {y: [0, 70], u: [0, 255], v: [0, 255]}}");
+  EXPECT_THAT(explanation(*stage, {255, 0, 0}),
+              HasSubstr("is in the boxes of yellow, blue: the first listed wins; next is red: Y 76 "
+                        "is 6 above its 0 … 70"));
+}
+
+TEST(YuvBoxes, SaysWhatTheGrayFilterTakesAway) {
+  const auto stage = testing::make<Segmenter>(
+      "yuv_boxes", std::string("{gray_threshold: 20, boxes: {red: ") + kWhole + "}}");
+  EXPECT_THAT(explanation(*stage, {120, 100, 100}),
+              StartsWith("gray: channels of the original colour spread over 20 steps, "
+                         "gray_threshold is 20; without the gray filter: YUV"));
+}
+
+TEST(YuvBoxes, ListsTheColorsThatClaimAColorTheWinnerFirst) {
+  const auto stage = testing::make<Segmenter>(
+      "yuv_boxes", std::string("{gray_threshold: 9, boxes: {yellow: ") + kWhole +
+                       ", green: {y: [0, 9], u: [0, 255], v: [0, 255]}, blue: " + kWhole + "}}");
+  EXPECT_THAT(claimants(*stage, {255, 0, 0}), ElementsAre(standard("yellow"), standard("blue")));
+  EXPECT_THAT(claimants(*stage, {105, 100, 100}), IsEmpty());
 }
 
 TEST(YuvBoxes, RefusesBoxesThatHoldNothing) {

@@ -23,6 +23,7 @@
 /// parameter.
 
 #include <optional>
+#include <string>
 
 #include "maggic/plugin.hpp"
 #include "maggic/tracking_engine.hpp"
@@ -71,6 +72,11 @@ class TagLayoutTracker final : public Tracker {
   std::optional<TrackedPattern> pattern() const override { return engine_->pattern(); }
 
   void track(const TrackerInput& input, Detections& out) override { engine_->track(input, out); }
+
+  std::string explain(const TrackerInput& input, std::size_t blob,
+                      const Palette& palette) const override {
+    return engine_->explain(input, blob, palette);
+  }
 
  private:
   std::vector<Pattern> patterns_;

@@ -18,6 +18,7 @@
 /// lists every parameter.
 
 #include <optional>
+#include <string>
 
 #include "maggic/plugin.hpp"
 #include "maggic/tracking_engine.hpp"
@@ -51,6 +52,11 @@ class ThreeTag final : public Tracker {
   std::optional<TrackedPattern> pattern() const override { return engine_->pattern(); }
 
   void track(const TrackerInput& input, Detections& out) override { engine_->track(input, out); }
+
+  std::string explain(const TrackerInput& input, std::size_t blob,
+                      const Palette& palette) const override {
+    return engine_->explain(input, blob, palette);
+  }
 
  private:
   double tag_size_mm_ = 70.0;

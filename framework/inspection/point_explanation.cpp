@@ -1,0 +1,172 @@
+#include "maggic/point_explanation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+#include "inspection/connected_runs.hpp"
+#include "maggic/blob_extractor.hpp"
+
+namespace maggic {
+namespace {
+
+/// One colour as a batch; the batch is valid as long as this lives.
+struct OneColor {
+  std::array<std::uint8_t, 3> bgr{};
+
+  ColorBatch batch() const { return {{&bgr[0], 1}, {&bgr[1], 1}, {&bgr[2], 1}}; }
+  MutableColorBatch mutable_batch() { return {{&bgr[0], 1}, {&bgr[1], 1}, {&bgr[2], 1}}; }
+  std::string to_string() const { return fmt::format("RGB {} {} {}", bgr[2], bgr[1], bgr[0]); }
+};
+
+OneColor color_at(const cv::Mat& bgr, cv::Point pixel_px) {
+  const auto pixel = bgr.at<cv::Vec3b>(pixel_px);
+  return {{pixel[0], pixel[1], pixel[2]}};
+}
+
+std::string hsv_text(const OneColor& color) {
+  const cv::Mat3b bgr(1, 1, cv::Vec3b(color.bgr[0], color.bgr[1], color.bgr[2]));
+  cv::Mat3b hsv;
+  cv::cvtColor(bgr, hsv, cv::COLOR_BGR2HSV_FULL);
+  const cv::Vec3b value = hsv(0, 0);
+  return fmt::format("hue {}, saturation {}, value {}", value[0], value[1], value[2]);
+}
+
+class Walk {
+ public:
+  Walk(const Pipeline& pipeline, const FrameResult& result, cv::Point pixel_px)
+      : pipeline_(pipeline), result_(result), pixel_px_(pixel_px) {}
+
+  std::vector<StageAnswer> answers() {
+    original_ = color_at(result_.frame.bgr, pixel_px_);
+    normalized_ = normalized_color();
+    add("pixel", fmt::format("{}, {}", original_.to_string(), hsv_text(original_)));
+    add("normalized",
+        fmt::format("{} by {}", normalized_.to_string(), pipeline_.parts().normalizer.name));
+    const std::vector<Run> region = connected_runs(result_.runs, pixel_px_);
+    add_label(region.empty() ? kBackground : region.front().label);
+    if (!region.empty()) add_blob(region);
+    return std::move(answers_);
+  }
+
+ private:
+  void add(std::string_view stage, std::string text) {
+    answers_.push_back({std::string(stage), std::move(text)});
+  }
+
+  OneColor normalized_color() const {
+    if (const cv::Mat* picture = pipeline_.normalized_picture()) {
+      return color_at(*picture, pixel_px_);
+    }
+    OneColor color;
+    const Normalizer& stage = *pipeline_.parts().normalizer.stage;
+    dynamic_cast<const ColorNormalizer&>(stage).normalize(original_.batch(), color.mutable_batch());
+    return color;
+  }
+
+  void add_label(Label label) {
+    std::string text(pipeline_.palette().name(label));
+    const auto& named = pipeline_.parts().segmenter;
+    if (const auto* by_color = dynamic_cast<const ColorSegmenter*>(named.stage.get())) {
+      const std::string why = by_color->explain(original_.batch(), normalized_.batch());
+      if (!why.empty()) text += ": " + why;
+    } else {
+      text += fmt::format(": {} judges the picture as a whole and gives no reason for one pixel",
+                          named.name);
+    }
+    if (label == kBackground) text += nearest_blob_text();
+    add("label", std::move(text));
+  }
+
+  /// People point beside things; empty when there is nothing near.
+  std::string nearest_blob_text() const {
+    constexpr double kNearPx = 15.0;
+    const Run* nearest = nullptr;
+    double nearest_px = kNearPx;
+    for (const Run& run : result_.runs) {
+      const int dx = std::max({run.begin - pixel_px_.x, 0, pixel_px_.x - (run.end - 1)});
+      const double distance_px = std::hypot(dx, run.row - pixel_px_.y);
+      if (distance_px >= nearest_px) continue;
+      nearest_px = distance_px;
+      nearest = &run;
+    }
+    if (nearest == nullptr) return {};
+    return fmt::format(
+        "\nthe nearest coloured pixel is {} at {},{}", pipeline_.palette().name(nearest->label),
+        std::clamp<int>(pixel_px_.x, nearest->begin, nearest->end - 1), nearest->row);
+  }
+
+  void add_blob(const std::vector<Run>& region) {
+    BlobExtractor extractor;
+    std::vector<Blob> found;
+    extractor.extract(region, {0.0, std::numeric_limits<double>::max(), 1}, found);
+    const Blob& blob = found.front();
+    const auto& blobs = result_.blobs;
+    const auto kept = std::ranges::find_if(blobs, [&](const Blob& other) {
+      return other.label == blob.label && other.area_px == blob.area_px &&
+             other.bounds_px == blob.bounds_px && other.centroid_px == blob.centroid_px;
+    });
+    std::string text = fmt::format(
+        "{} px, {:.0f} mm² (limits {} … {} mm²), {}×{} px around {:.1f},{:.1f}", blob.area_px,
+        blob.area_px * pipeline_.blob_scale_mm2_per_px(), pipeline_.parts().blobs.min_area_mm2,
+        pipeline_.parts().blobs.max_area_mm2, blob.bounds_px.width, blob.bounds_px.height,
+        blob.centroid_px.x, blob.centroid_px.y);
+    if (kept == blobs.end()) {
+      add("blob", fmt::format("{}\ndropped: {}", text, limit_text(blob)));
+      return;
+    }
+    add("blob", std::move(text));
+    add_tracker(static_cast<std::size_t>(kept - blobs.begin()));
+  }
+
+  std::string limit_text(const Blob& blob) const {
+    const BlobExtractor::Limits& limits = pipeline_.blob_limits_px();
+    if (blob.area_px < limits.min_area_px) {
+      return fmt::format("smaller than blobs.min_area_mm2, {:.1f} px here", limits.min_area_px);
+    }
+    if (blob.area_px > limits.max_area_px) {
+      return fmt::format("larger than blobs.max_area_mm2, {:.1f} px here", limits.max_area_px);
+    }
+    return fmt::format(
+        "the frame has more than blobs.max_blobs {} blobs, and the smallest were "
+        "left out",
+        limits.max_blobs);
+  }
+
+  void add_tracker(std::size_t blob) {
+    const auto& named = pipeline_.parts().tracker;
+    const TrackerInput input{result_.frame.sequence, result_.frame.captured, result_.blobs,
+                             *pipeline_.field()};
+    std::string text = named.stage->explain(input, blob, pipeline_.palette());
+    if (text.empty()) text = fmt::format("{} gives no reasons", named.name);
+    add("tracker", std::move(text));
+  }
+
+  const Pipeline& pipeline_;
+  const FrameResult& result_;
+  const cv::Point pixel_px_;
+  OneColor original_;
+  OneColor normalized_;
+  std::vector<StageAnswer> answers_;
+};
+
+}  // namespace
+
+std::vector<StageAnswer> explain_point(const Pipeline& pipeline, const FrameResult& result,
+                                       cv::Point pixel_px) {
+  const cv::Size size_px = result.frame.bgr.size();
+  if (!cv::Rect(cv::Point(), size_px).contains(pixel_px)) {
+    throw std::out_of_range(fmt::format("{},{} lies outside of the picture of {}×{} pixels",
+                                        pixel_px.x, pixel_px.y, size_px.width, size_px.height));
+  }
+  return Walk(pipeline, result, pixel_px).answers();
+}
+
+}  // namespace maggic

@@ -18,6 +18,9 @@ class ImagePath {
   /// @throws std::runtime_error when the stage made a picture of another size or type.
   void normalize(const cv::Mat& bgr, Normalizer& normalizer);
 
+  /// What the first step made; valid until the next call.
+  const cv::Mat& normalized() const { return normalized_; }
+
   /// Second step, on the same picture.
   /// @return labels below `palette_size`, CV_8UC1 of the same size; valid until the next call.
   /// @throws std::runtime_error when the stage made anything else.

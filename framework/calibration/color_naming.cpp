@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <set>
 
 #include "calibration/hue_clusters.hpp"
@@ -22,11 +20,6 @@ constexpr double kUnlistedWorth = 0.3;  // a robot whose colours together are no
 // Small steps are kept apart here: two clusters may get one name, one cluster never gets two.
 constexpr PeakRules kClusterRules{
     .sigma = 1.2, .min_distance = 3, .max_valley = 0.5, .min_height = 0.01};
-
-constexpr double kBallMinAreaRatio = 0.4;
-constexpr double kBallMaxAreaRatio = 2.0;
-constexpr double kBallMaxElongation = 1.6;
-constexpr double kBallFarthestHue = 40.0;
 
 /// Candidates of one frame, in the order they are taken, with the cluster of each patch.
 struct FrameView {
@@ -65,6 +58,9 @@ class Namer {
       if (may_be(yellow, pattern_.yellow_team_color)) {
         try_start(options_.size(), yellow, best, best_score);
       }
+    }
+    // Two clusters may have to trade names at once.
+    while (change_pair(best, best_score)) {
     }
     names_ = best;
   }
@@ -187,6 +183,28 @@ class Namer {
     }
   }
 
+  bool change_pair(std::vector<Label>& names, double& here) const {
+    const std::vector<Label> before = names;
+    std::vector<Label> trial = names;
+    for (std::size_t a = 0; a < trial.size(); ++a) {
+      for (std::size_t b = a + 1; b < trial.size(); ++b) {
+        for (const Label name_a : options_[a]) {
+          for (const Label name_b : options_[b]) {
+            trial[a] = name_a;
+            trial[b] = name_b;
+            const double there = score(trial);
+            if (there <= here + 1e-9) continue;
+            here = there;
+            names = trial;
+          }
+        }
+        trial[a] = before[a];
+        trial[b] = before[b];
+      }
+    }
+    return names != before;
+  }
+
   static Label name_of(const FrameView& view, const std::vector<Label>& names, int patch) {
     return names[static_cast<std::size_t>(view.cluster_of[static_cast<std::size_t>(patch)])];
   }
@@ -264,88 +282,10 @@ class Namer {
   std::vector<Label> names_;
 };
 
-/// Finds the ball among what no robot took: of the hue that is most often there exactly once.
-class BallFinder {
- public:
-  BallFinder(std::span<const FramePatches> frames, const Palette& palette,
-             const TrackedPattern& pattern, const TagMetric& metric)
-      : frames_(frames), metric_(metric), pattern_(pattern) {
-    const DisplayColor shown = palette.display_color(pattern.ball_color);
-    ball_hue_ = hue_of({shown.blue, shown.green, shown.red});
-  }
-
-  void find(Naming& naming) const {
-    if (pattern_.ball_color == kBackground) return;
-    std::vector<std::vector<int>> looks_like(frames_.size());
-    HueHistogram histogram{};
-    for (std::size_t f = 0; f < frames_.size(); ++f) {
-      for (int p = 0; p < static_cast<int>(frames_[f].patches.size()); ++p) {
-        if (naming.frames[f].label_of_patch[static_cast<std::size_t>(p)] != kBackground) continue;
-        if (!has_its_shape(patch(f, p))) continue;
-        looks_like[f].push_back(p);
-        histogram[hue_index(f, p)] += 1.0;
-      }
-    }
-    const HueClusters clusters = cluster_hues(histogram, kClusterRules);
-    std::vector<double> worth(clusters.peaks.size(), 0.0);
-    for (std::size_t f = 0; f < frames_.size(); ++f) {
-      std::map<int, int> count;
-      for (const int p : looks_like[f]) ++count[clusters.of_hue[hue_index(f, p)]];
-      for (const auto& [cluster, times] : count) {
-        const double off = hue_difference(clusters.peaks[static_cast<std::size_t>(cluster)],
-                                          ball_hue_) / kBallFarthestHue;
-        worth[static_cast<std::size_t>(cluster)] += (1.0 - off * off) / times;
-      }
-    }
-    if (worth.empty()) return;
-    const auto best = static_cast<int>(std::ranges::max_element(worth) - worth.begin());
-    for (std::size_t f = 0; f < frames_.size(); ++f) {
-      double best_cost = 0.0;
-      for (const int p : looks_like[f]) {
-        if (clusters.of_hue[hue_index(f, p)] != best) continue;
-        const double cost = shape_cost(patch(f, p));
-        if (naming.frames[f].ball && cost >= best_cost) continue;
-        naming.frames[f].ball = p;
-        best_cost = cost;
-      }
-      if (!naming.frames[f].ball) continue;
-      naming.frames[f].label_of_patch[static_cast<std::size_t>(*naming.frames[f].ball)] =
-          pattern_.ball_color;
-      ++naming.balls;
-    }
-  }
-
- private:
-  const Patch& patch(std::size_t frame, int index) const {
-    return frames_[frame].patches[static_cast<std::size_t>(index)];
-  }
-  std::size_t hue_index(std::size_t frame, int index) const {
-    return static_cast<std::size_t>(std::lround(patch(frame, index).hue)) % kHues;
-  }
-  double area_ratio(const Patch& p) const {
-    const double disc = std::numbers::pi / 4.0 * std::pow(pattern_.ball_diameter_mm, 2);
-    return p.area_px * metric_.pixel_mm2() / disc;
-  }
-  bool has_its_shape(const Patch& p) const {
-    const double ratio = area_ratio(p);
-    return ratio >= kBallMinAreaRatio && ratio <= kBallMaxAreaRatio &&
-           p.elongation() <= kBallMaxElongation &&
-           std::abs(hue_difference(p.hue, ball_hue_)) <= kBallFarthestHue;
-  }
-  double shape_cost(const Patch& p) const {
-    return std::abs(std::log(area_ratio(p))) + std::log(p.elongation()) + 0.2 * p.companions;
-  }
-
-  std::span<const FramePatches> frames_;
-  const TagMetric& metric_;
-  const TrackedPattern& pattern_;
-  int ball_hue_ = 0;
-};
-
 }  // namespace
 
 Naming name_colors(std::span<const FramePatches> frames, const TrackedPattern& pattern,
-                   const Palette& palette, const TagMetric& metric) {
+                   const Palette& palette) {
   Namer namer(frames, pattern, palette);
   namer.search();
   Naming naming;
@@ -353,7 +293,6 @@ Naming name_colors(std::span<const FramePatches> frames, const TrackedPattern& p
     naming.frames.push_back(namer.apply(f));
     naming.robots += static_cast<double>(naming.frames.back().robots.size());
   }
-  BallFinder(frames, palette, pattern, metric).find(naming);
   return naming;
 }
 

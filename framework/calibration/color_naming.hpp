@@ -1,7 +1,6 @@
 #pragma once
 /// Which colour of the palette each patch shows, learnt from the tag pattern.
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,20 +25,18 @@ struct NamedRobot {
 
 struct NamedFrame {
   std::vector<NamedRobot> robots;
-  std::vector<Label> label_of_patch;  ///< kBackground: no tag and no ball.
-  std::optional<int> ball;            ///< Index of its patch.
+  std::vector<Label> label_of_patch;  ///< kBackground: part of no robot.
 };
 
 struct Naming {
   std::vector<NamedFrame> frames;  ///< One for each frame given.
   double robots = 0.0;             ///< Of all frames.
-  int balls = 0;                   ///< Frames with one.
 };
 
 /// Gives hue clusters the names under which most patterns become robots: a team colour each and
 /// listed player colours, no identity twice a team, and hues near those the palette draws its
-/// colours in. The ball is what stands alone, round and in its size, and near orange.
+/// colours in.
 Naming name_colors(std::span<const FramePatches> frames, const TrackedPattern& pattern,
-                   const Palette& palette, const TagMetric& metric);
+                   const Palette& palette);
 
 }  // namespace maggic::calibration

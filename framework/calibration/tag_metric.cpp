@@ -12,6 +12,7 @@ namespace {
 // What one known distance weighs against the wish for an isotropic picture: a stretch is believed
 // once some robots point in different directions.
 constexpr double kIsotropyWeight = 1.5;
+constexpr double kIsotropyShare = 0.05;  // … and at least so much of all distances
 
 double median_mm_per_px(std::span<const KnownDistance> distances) {
   std::vector<double> scales;
@@ -35,29 +36,27 @@ double TagMetric::length_mm(cv::Point2d offset_px) const {
 double TagMetric::pixel_mm2() const { return std::sqrt(cv::determinant(mm2_per_px2)); }
 
 cv::Matx22d TagMetric::mm_per_px() const {
-  // Cholesky: M = UᵀU.
-  const double a = std::sqrt(mm2_per_px2(0, 0));
-  const double b = mm2_per_px2(0, 1) / a;
-  return {a, b, 0.0, std::sqrt(std::max(mm2_per_px2(1, 1) - b * b, 1e-12))};
+  return {std::sqrt(mm2_per_px2(0, 0)), 0.0, 0.0, std::sqrt(mm2_per_px2(1, 1))};
 }
 
 TagMetric fit_metric(std::span<const KnownDistance> distances) {
   const TagMetric isotropic = TagMetric::of_scale(median_mm_per_px(distances));
   const double scale2 = isotropic.mm2_per_px2(0, 0);
-  // Unknowns: xx, yy, xy of M / scale2. Each row is in units of the squared distance.
-  cv::Matx33d normal = cv::Matx33d::eye() * kIsotropyWeight;
-  cv::Vec3d right(kIsotropyWeight, kIsotropyWeight, 0.0);
+  // Unknowns: xx and yy of M / scale2. Each row is in units of the squared distance.
+  const double weight =
+      std::max(kIsotropyWeight, kIsotropyShare * static_cast<double>(distances.size()));
+  cv::Matx22d normal = cv::Matx22d::eye() * weight;
+  cv::Vec2d right(weight, weight);
   for (const KnownDistance& d : distances) {
     const double unit = scale2 / (d.distance_mm * d.distance_mm);
-    const cv::Vec3d row(d.offset_px.x * d.offset_px.x * unit, d.offset_px.y * d.offset_px.y * unit,
-                        2.0 * d.offset_px.x * d.offset_px.y * unit);
+    const cv::Vec2d row(d.offset_px.x * d.offset_px.x * unit, d.offset_px.y * d.offset_px.y * unit);
     normal += row * row.t();
     right += row;
   }
-  const cv::Vec3d solved = normal.inv() * right;
-  const cv::Matx22d m(solved[0], solved[2], solved[2], solved[1]);
+  const cv::Vec2d solved = normal.inv() * right;
+  const cv::Matx22d m(solved[0], 0.0, 0.0, solved[1]);
   constexpr double kMostStretched = 0.25;  // of the determinant an isotropic picture would have
-  if (m(0, 0) <= 0.0 || cv::determinant(m) < kMostStretched) return isotropic;
+  if (m(0, 0) <= 0.0 || m(1, 1) <= 0.0 || cv::determinant(m) < kMostStretched) return isotropic;
   return {m * scale2};
 }
 

@@ -7,8 +7,8 @@
 
 namespace maggic::calibration {
 
-/// Offsets in the picture to millimetres: |offset_mm|² = offsetᵀ · mm2_per_px2 · offset. Symmetric
-/// and positive definite; a multiple of the identity unless the picture is stretched.
+/// Offsets in the picture to millimetres: |offset_mm|² = offsetᵀ · mm2_per_px2 · offset. Diagonal and
+/// positive: pixels may be stretched (a camera's picture brought to 16:9), but are never skewed.
 struct TagMetric {
   cv::Matx22d mm2_per_px2{1.0, 0.0, 0.0, 1.0};
 
@@ -17,8 +17,7 @@ struct TagMetric {
   double length_mm(cv::Point2d offset_px) const;
   /// Area of one pixel.
   double pixel_mm2() const;
-  /// A linear map of offsets to millimetres with x kept level: upper triangular, so that a picture
-  /// that is only stretched gives a diagonal.
+  /// The same as a linear map of offsets to millimetres.
   cv::Matx22d mm_per_px() const;
 };
 

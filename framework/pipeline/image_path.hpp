@@ -26,9 +26,6 @@ class ImagePath {
   /// @throws std::runtime_error when the stage made anything else.
   const cv::Mat& segment(const cv::Mat& bgr, Segmenter& segmenter, std::size_t palette_size);
 
-  /// What the first step made last; valid until its next call.
-  const cv::Mat& normalized() const { return normalized_; }
-
  private:
   /// One row as three planes.
   struct Planes {

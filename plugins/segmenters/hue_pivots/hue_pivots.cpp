@@ -45,7 +45,9 @@
 
 #include <opencv2/core/fast_math.hpp>
 
+#include "exclusion_fit.hpp"
 #include "maggic/plugin.hpp"
+#include "pivot_fit.hpp"
 
 namespace {
 
@@ -54,7 +56,8 @@ using maggic::kBackground;
 using maggic::Label;
 using maggic::Parameters;
 
-using Pivots = std::vector<std::pair<Label, std::vector<int>>>;
+using maggic::hue_pivots::nearest_pivots;
+using maggic::hue_pivots::Pivots;
 
 constexpr int kHues = 256;
 
@@ -108,23 +111,6 @@ std::vector<std::uint8_t> opencv_hues() {
 int distance_on_circle(int a, int b) {
   const int straight = std::abs(a - b);
   return std::min(straight, kHues - straight);
-}
-
-std::array<Label, kHues> nearest_pivots(const Pivots& pivots) {
-  std::array<Label, kHues> labels;
-  for (int hue = 0; hue < kHues; ++hue) {
-    int nearest = kHues;
-    for (const auto& [label, pivot_hues] : pivots) {
-      for (const int pivot : pivot_hues) {
-        const int distance = distance_on_circle(hue, pivot);
-        if (distance < nearest) {
-          nearest = distance;
-          labels[static_cast<std::size_t>(hue)] = label;
-        }
-      }
-    }
-  }
-  return labels;
 }
 
 std::uint8_t largest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
@@ -184,14 +170,7 @@ class HuePivots final : public maggic::ColorSegmenter {
 
   void prepare(const maggic::StageContext& context) override {
     palette_ = &context.palette;
-    used_pivots_ = pivots_;
-    if (used_pivots_.empty()) {
-      for (const DefaultPivot& pivot : kDefaultPivots) {
-        if (const auto label = context.palette.find(pivot.color)) {
-          used_pivots_.push_back({*label, {pivot.hue}});
-        }
-      }
-    }
+    used_pivots_ = pivots_or_defaults(context.palette);
     if (used_pivots_.empty()) {
       throw std::invalid_argument(fmt::format(
           "no pivots given, and the palette ({}) has none of the colours with a default pivot; "
@@ -254,7 +233,108 @@ class HuePivots final : public maggic::ColorSegmenter {
     return by_hue;
   }
 
+  std::string fit(const maggic::ColorSamples& samples) const override {
+    const bool of_original = hue_of_ == HueOf::kOriginal;
+    const ColorBatch& colors = of_original ? samples.original : samples.normalized;
+    const std::vector<std::uint8_t> hues = hues_of(colors);
+    const std::vector<std::uint8_t> imagined =
+        hues_of(of_original ? samples.imagined.original : samples.imagined.normalized);
+    return describe_fit(
+               maggic::hue_pivots::fit_pivots(hues, samples.labels, samples.tags,
+                                              {imagined, samples.imagined.labels},
+                                              pivots_or_defaults(samples.palette)),
+               samples) +
+           describe_exclusions(colors, hues, samples);
+  }
+
  private:
+  std::vector<std::uint8_t> hues_of(const ColorBatch& colors) const {
+    std::vector<std::uint32_t> indices(colors.size());
+    hue_indices(colors, indices.data());
+    std::vector<std::uint8_t> hues(colors.size());
+    std::ranges::transform(indices, hues.begin(), [&](std::uint32_t i) { return hues_[i]; });
+    return hues;
+  }
+
+  Pivots pivots_or_defaults(const maggic::Palette& palette) const {
+    if (!pivots_.empty()) return pivots_;
+    Pivots pivots;
+    for (const DefaultPivot& pivot : kDefaultPivots) {
+      if (const auto label = palette.find(pivot.color)) pivots.push_back({*label, {pivot.hue}});
+    }
+    return pivots;
+  }
+
+  /// YAML, a comment on every number.
+  std::string describe_fit(const maggic::hue_pivots::PivotFit& fit,
+                           const maggic::ColorSamples& samples) const {
+    const maggic::GrayThreshold& gray = samples.gray_threshold;
+    std::string yaml = fmt::format("gray_threshold: {}   # {}\n", gray.best, maggic::describe(gray));
+    yaml += fmt::format("hue_of: {}\n", hue_of_ == HueOf::kOriginal ? "original" : "normalized");
+    for (const maggic::hue_pivots::Overlap& overlap : fit.overlaps) {
+      yaml += fmt::format("# Unsure: {} and {} share hues; {:.0f} % of one's pixels take the other's "
+                          "label.\n",
+                          samples.palette.name(overlap.a), samples.palette.name(overlap.b),
+                          100.0 * overlap.share);
+    }
+    yaml += "pivots:   # hues, 0 … 255 round the circle; the nearest pivot names the colour\n";
+    for (const maggic::hue_pivots::FittedColor& color : fit.colors) {
+      yaml += fmt::format("  {}: ", samples.palette.name(color.label));
+      if (color.pivots.empty()) {
+        yaml += "~   # not seen; its pivot so far would take hues of colours that were\n";
+        continue;
+      }
+      yaml += color.pivots.size() == 1 ? fmt::format("{}", color.pivots[0])
+                                       : fmt::format("[{}]", fmt::join(color.pivots, ", "));
+      yaml += color.tags == 0
+                  ? "   # not seen: as it was\n"
+                  : fmt::format("   # seen {} times, hues {} … {}; no tag is lost while it moves by "
+                                "-{} … +{}\n",
+                                color.tags, color.first_hue, color.last_hue, color.move_down,
+                                color.move_up);
+    }
+    return yaml;
+  }
+
+  /// YAML of what has to be left out, with the pivots as fitted.
+  std::string describe_exclusions(const ColorBatch& colors, const std::vector<std::uint8_t>& hues,
+                                  const maggic::ColorSamples& samples) const {
+    using maggic::hue_pivots::Hsv;
+    std::vector<Hsv> tags;
+    std::vector<Hsv> others;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
+      const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
+      const Hsv hsv{hues[i], saturation_of(value, spread), value};
+      if (samples.labels[i] != kBackground) {
+        tags.push_back(hsv);
+        continue;
+      }
+      if (samples.tags[i] == maggic::kStrayTag && spread > 0) others.push_back(hsv);
+    }
+    const auto fit = maggic::hue_pivots::fit_exclusions(tags, others);
+    std::string yaml;
+    if (!fit.exclusions.empty()) {
+      yaml += "exclude:   # what was no tag and would have been taken for one\n";
+    }
+    for (const auto& exclusion : fit.exclusions) {
+      yaml += fmt::format("  - {{hue: [{}, {}]", exclusion.hue.first, exclusion.hue.last);
+      const auto add_span = [&](std::string_view key, const maggic::hue_pivots::Span& span) {
+        if (span.first == 0 && span.last == 255) return;
+        yaml += fmt::format(", {}: [{}, {}]", key, span.first, span.last);
+      };
+      add_span("value", exclusion.value);
+      add_span("saturation", exclusion.saturation);
+      yaml += fmt::format("}}   # {:.0f} % of that\n", 100.0 * exclusion.share);
+    }
+    return yaml;
+  }
+
+  /// As OpenCV has it.
+  std::uint8_t saturation_of(std::uint8_t value, int spread) const {
+    return static_cast<std::uint8_t>((spread * saturation_scale_[value] + (1 << 11)) >> 12);
+  }
+
   enum class HueOf { kOriginal, kNormalized };
 
   /// For each of 256 hues, values or saturations the exclusions whose span holds it, a bit each.
@@ -377,18 +457,14 @@ class HuePivots final : public maggic::ColorSegmenter {
     }
   }
 
-  int saturation_of(std::uint8_t value, int spread) const {
-    return (spread * saturation_scale_[value] + (1 << 11)) >> 12;
-  }
-
   void clear_excluded(const ColorBatch& colors, const std::uint32_t* indices,
                       std::span<Label> labels) const {
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
-      const int saturation =
-          saturation_of(value, value - smallest(colors.b[i], colors.g[i], colors.r[i]));
+      const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
+      const std::uint8_t saturation = saturation_of(value, spread);
       const std::uint32_t holding = hue_bits_[hues_[indices[i]]] & value_bits_[value] &
-                                    saturation_bits_[static_cast<std::size_t>(saturation)];
+                                    saturation_bits_[saturation];
       labels[i] = holding != 0 ? kBackground : labels[i];
     }
   }

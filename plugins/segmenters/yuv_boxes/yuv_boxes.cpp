@@ -31,6 +31,7 @@
 
 #include <fmt/format.h>
 
+#include "box_fit.hpp"
 #include "maggic/plugin.hpp"
 
 namespace {
@@ -162,6 +163,40 @@ class YuvBoxes final : public maggic::ColorSegmenter {
     return holding;
   }
 
+  std::string fit(const maggic::ColorSamples& samples) const override {
+    using maggic::yuv_boxes::FittedBox;
+    const std::vector<maggic::yuv_boxes::Yuv> colors = to_yuv(samples.normalized);
+    const std::vector<FittedBox> fitted =
+        maggic::yuv_boxes::fit_boxes(colors, samples.labels, samples.tags);
+    std::string yaml;
+    if (gray_threshold_ || samples.gray_threshold.given) {
+      yaml += fmt::format("gray_threshold: {}   # {}\n", samples.gray_threshold.best,
+                          maggic::describe(samples.gray_threshold));
+    }
+    yaml += "boxes:   # [min, max] of Y, U, V; a box holds what was seen and the room round it\n";
+    for (const FittedBox& box : fitted) {
+      yaml += fmt::format("  {}: {{{}}}   # seen {} times, {}; a tag is lost when a side cuts into "
+                          "that\n",
+                          samples.palette.name(box.label), text_of(box.box, "{}: [{}, {}]"),
+                          box.tags, text_of(box.seen, "{} {} … {}"));
+      if (box.foreign > kForeignShare) {
+        yaml += fmt::format("    # Unsure: {:.0f} % of what the box of {} holds is something else.\n",
+                            100.0 * box.foreign, samples.palette.name(box.label));
+      }
+    }
+    for (const auto& [label, box] : boxes_) {
+      if (std::ranges::count(fitted, label, &FittedBox::label) > 0) continue;
+      const std::array<maggic::yuv_boxes::Side, 3> sides{
+          {{box.y[0], box.y[1]}, {box.u[0], box.u[1]}, {box.v[0], box.v[1]}}};
+      const bool in_the_way = std::ranges::any_of(
+          colors, [&](const auto& color) { return maggic::yuv_boxes::holds(sides, color); });
+      if (!in_the_way) continue;
+      yaml += fmt::format("  {}: ~   # not seen; its box so far holds what is something else\n",
+                          samples.palette.name(label));
+    }
+    return yaml;
+  }
+
  private:
   struct Yuv {
     int y;
@@ -224,6 +259,28 @@ class YuvBoxes final : public maggic::ColorSegmenter {
                            : fmt::format("is in the boxes of {}: the first listed wins", holders);
     if (nearest != nullptr) {
       text += fmt::format("; next is {}: {}", palette_->name(nearest->first), smallest.text);
+    }
+    return text;
+  }
+
+  static constexpr double kForeignShare = 0.03;  // more than that is worth a word
+
+  static std::vector<maggic::yuv_boxes::Yuv> to_yuv(const ColorBatch& batch) {
+    std::vector<std::uint8_t> y(batch.size());
+    std::vector<std::uint8_t> u(batch.size());
+    std::vector<std::uint8_t> v(batch.size());
+    convert_to_yuv(batch, y.data(), u.data(), v.data());
+    std::vector<maggic::yuv_boxes::Yuv> colors;
+    for (std::size_t i = 0; i < y.size(); ++i) colors.push_back({y[i], u[i], v[i]});
+    return colors;
+  }
+
+  static std::string text_of(const std::array<maggic::yuv_boxes::Side, 3>& box,
+                             std::string_view side_format) {
+    std::string text;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (c > 0) text += ", ";
+      text += fmt::format(fmt::runtime(side_format), "yuv"[c], box[c].min, box[c].max);
     }
     return text;
   }

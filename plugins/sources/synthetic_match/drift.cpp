@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "color_temperature.hpp"
+#include "maggic/color_temperature.hpp"
 
 namespace maggic::synthetic_match {
 

@@ -8,7 +8,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "color_temperature.hpp"
+#include "maggic/color_temperature.hpp"
 #include "random.hpp"
 
 namespace maggic::synthetic_match {

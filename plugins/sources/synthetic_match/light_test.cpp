@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 
-#include "color_temperature.hpp"
+#include "maggic/color_temperature.hpp"
 #include "lamps.hpp"
 #include "maggic/config_error.hpp"
 #include "maggic/source.hpp"

@@ -66,7 +66,7 @@
 
 #include "camera_effects.hpp"
 #include "clutter.hpp"
-#include "color_temperature.hpp"
+#include "maggic/color_temperature.hpp"
 #include "drift.hpp"
 #include "lamps.hpp"
 #include "maggic/field.hpp"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-namespace maggic::synthetic_match {
+namespace maggic {
 
 inline constexpr double kLowestKelvin = 2000.0;
 inline constexpr double kHighestKelvin = 20000.0;
@@ -17,4 +17,4 @@ inline constexpr double kWhiteKelvin = 6500.0;
 /// @param kelvin in [kLowestKelvin, kHighestKelvin].
 std::array<double, 3> lamp_gains(double kelvin);
 
-}  // namespace maggic::synthetic_match
+}  // namespace maggic

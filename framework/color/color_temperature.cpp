@@ -1,6 +1,6 @@
-#include "color_temperature.hpp"
+#include "maggic/color_temperature.hpp"
 
-namespace maggic::synthetic_match {
+namespace maggic {
 namespace {
 
 double cubic(double v, double a, double b, double c, double d) {
@@ -29,4 +29,4 @@ std::array<double, 3> lamp_gains(double kelvin) {
   return {lamp[0] / white[0] / green, 1.0, lamp[2] / white[2] / green};
 }
 
-}  // namespace maggic::synthetic_match
+}  // namespace maggic

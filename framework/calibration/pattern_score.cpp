@@ -1,0 +1,45 @@
+#include "calibration/pattern_score.hpp"
+
+#include <algorithm>
+
+#include "maggic/tracker.hpp"
+
+namespace maggic::calibration {
+namespace {
+
+// Longer than any tracker carries a motion on.
+constexpr std::chrono::seconds kApart{10};
+
+bool is_complete(const RobotDetection& robot, const std::vector<TagLayout>& layouts) {
+  return robot.id != kUnknownId && std::ranges::any_of(layouts, [&](const TagLayout& layout) {
+           return layout.patches.size() == robot.tags.size();
+         });
+}
+
+}  // namespace
+
+PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frames) {
+  const auto pattern = pipeline.parts().tracker.stage->pattern();
+  const std::vector<TagLayout> layouts = pattern ? pattern->layouts : std::vector<TagLayout>{};
+  PatternScore score;
+  FrameResult result;
+  for (const cv::Mat& bgr : frames) {
+    result.frame.sequence = score.frames;
+    result.frame.captured = kApart * static_cast<int>(score.frames + 1);
+    result.frame.bgr = bgr;
+    if (pipeline.process(result) != FrameOutcome::kProcessed) continue;
+    ++score.frames;
+    for (const RobotDetection& robot : result.detections.robots) {
+      (is_complete(robot, layouts) ? score.robots : score.doubtful) += 1.0;
+    }
+    if (result.detections.ball) score.balls += 1.0;
+  }
+  if (score.frames == 0) return score;
+  const auto count = static_cast<double>(score.frames);
+  score.robots /= count;
+  score.doubtful /= count;
+  score.balls /= count;
+  return score;
+}
+
+}  // namespace maggic::calibration

@@ -1,0 +1,111 @@
+#include "calibration/strays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "tracking/metric_blob.hpp"
+
+namespace maggic::calibration {
+namespace {
+
+// As the tracker's own limits: smaller and larger blobs are left alone by it.
+constexpr double kMinPatchRatio = 0.3;
+constexpr double kMaxPatchRatio = 2.0;
+constexpr double kMinBallRatio = 0.25;
+constexpr double kMaxBallRatio = 2.5;
+// Pieces of lines and cables have the area, but not the shape.
+constexpr double kMaxTagElongation = 2.8;
+constexpr double kMaxBallElongation = 1.6;
+constexpr double kMinFill = 0.85;
+constexpr double kBesideFieldMm = 50.0;
+constexpr std::chrono::seconds kApart{10};  // longer than any tracker carries a motion on
+
+class StrayFinder {
+ public:
+  StrayFinder(Pipeline& pipeline, const TrackedPattern& pattern)
+      : pipeline_(pipeline), pattern_(pattern) {}
+
+  std::vector<Stray> look_at(const cv::Mat& bgr, int number, const std::optional<Patch>& ball) {
+    result_.frame.sequence = static_cast<std::uint64_t>(number);
+    result_.frame.captured = kApart * (number + 1);
+    result_.frame.bgr = bgr;
+    std::vector<Stray> strays;
+    if (pipeline_.process(result_) != FrameOutcome::kProcessed) return strays;
+    for (const Blob& blob : result_.blobs) {
+      if (!is_on_field(blob)) continue;
+      if (is_stray_tag(blob) || (ball && is_stray_ball(blob, *ball))) {
+        strays.push_back({blob.centroid_px, static_cast<double>(blob.area_px)});
+      }
+    }
+    return strays;
+  }
+
+ private:
+  tracking::MetricBlob metric(const Blob& blob, double height_mm) const {
+    return tracking::to_metric(blob, 0, *pipeline_.field(), height_mm);
+  }
+
+  /// What lies beyond the walls moves no tracker and may be left as it is.
+  bool is_on_field(const Blob& blob) const {
+    const Field& field = *pipeline_.field();
+    const cv::Point2d place = field.to_field_mm(blob.centroid_px, 0.0);
+    return std::abs(place.x) <= field.parameters().length_mm / 2.0 + kBesideFieldMm &&
+           std::abs(place.y) <= field.parameters().width_mm / 2.0 + kBesideFieldMm;
+  }
+
+  bool is_stray_tag(const Blob& blob) const {
+    if (blob.label != pattern_.blue_team_color && blob.label != pattern_.yellow_team_color) {
+      return false;
+    }
+    const tracking::MetricBlob seen = metric(blob, pipeline_.field()->robot_height_mm());
+    if (seen.elongation() > kMaxTagElongation || seen.fill() < kMinFill) return false;
+    const bool has_size = std::ranges::any_of(pattern_.layouts, [&](const TagLayout& layout) {
+      return std::ranges::any_of(layout.patches, [&](const TagPatch& patch) {
+        const double ratio = seen.area_mm2 / patch.expected_area_mm2();
+        return patch.role == PatchRole::kTeam && ratio >= kMinPatchRatio &&
+               ratio <= kMaxPatchRatio;
+      });
+    });
+    return has_size && !is_on_robot(blob);
+  }
+
+  bool is_stray_ball(const Blob& blob, const Patch& ball) const {
+    if (blob.label != pattern_.ball_color) return false;
+    const double disc_mm2 = std::numbers::pi / 4.0 * std::pow(pattern_.ball_diameter_mm, 2);
+    const tracking::MetricBlob seen = metric(blob, pipeline_.field()->ball_height_mm());
+    if (seen.elongation() > kMaxBallElongation || seen.fill() < kMinFill) return false;
+    const double ratio = seen.area_mm2 / disc_mm2;
+    if (ratio < kMinBallRatio || ratio > kMaxBallRatio) return false;
+    const double radius_px = std::sqrt(ball.area_px / std::numbers::pi);
+    return cv::norm(blob.centroid_px - ball.centroid_px) > 2.0 * radius_px && !is_on_robot(blob);
+  }
+
+  bool is_on_robot(const Blob& blob) const {
+    return std::ranges::any_of(result_.detections.robots, [&](const RobotDetection& robot) {
+      if (robot.id == kUnknownId) return false;
+      return std::ranges::any_of(robot.tags, [&](const TagSighting& tag) {
+        return cv::norm(tag.centroid_px - blob.centroid_px) < std::sqrt(tag.area_px);
+      });
+    });
+  }
+
+  Pipeline& pipeline_;
+  const TrackedPattern& pattern_;
+  FrameResult result_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Stray>> find_strays(Pipeline& pipeline, std::span<const cv::Mat> frames,
+                                            const BallSightings& ball,
+                                            const TrackedPattern& pattern) {
+  StrayFinder finder(pipeline, pattern);
+  std::vector<std::vector<Stray>> strays;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    strays.push_back(finder.look_at(frames[f], static_cast<int>(f), ball.by_frame[f]));
+  }
+  return strays;
+}
+
+}  // namespace maggic::calibration

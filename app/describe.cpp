@@ -59,6 +59,11 @@ std::optional<Description> describe_section(std::string_view name) {
         "section blobs: which coloured regions are looked at",
         parameter_table(palette, [](Parameters& p) { BlobParameters().describe(p); })};
   }
+  if (name == "light") {
+    return Description{
+        "section light: following light that changes",
+        parameter_table(palette, [](Parameters& p) { LightParameters().describe(p); })};
+  }
   return std::nullopt;
 }
 
@@ -89,7 +94,7 @@ ExitCode describe_command(const DescribeOptions& options, const CommandLine& lin
   PluginRegistry registry = make_registry(line);
   std::vector<std::string> names = options.names;
   if (names.empty()) {
-    names = {"field", "blobs"};
+    names = {"field", "blobs", "light"};
     for (const PluginInfo& plugin : registry.scan().plugins) names.push_back(plugin.name);
   }
   ExitCode code = kFine;

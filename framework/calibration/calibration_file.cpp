@@ -45,6 +45,14 @@ std::string to_calibration_yaml(const CalibrationNumbers& numbers) {
                         blobs.min_area_mm2, blobs.min_comment, blobs.max_area_mm2,
                         blobs.max_comment);
   }
+  if (numbers.light) {
+    const auto& [red, green, blue] = numbers.light->reference_rgb;
+    yaml += fmt::format(
+        "\nlight:\n  follow: true   # false: take colours as they come, even when lamps change\n"
+        "  reference_rgb: [{:.1f}, {:.1f}, {:.1f}]   # the field's colour in the light of these "
+        "numbers\n",
+        red, green, blue);
+  }
   return yaml;
 }
 

@@ -26,12 +26,17 @@ struct BlobNumbers {
   std::string max_comment;
 };
 
+struct LightNumbers {
+  std::array<double, 3> reference_rgb{};
+};
+
 struct CalibrationNumbers {
   std::vector<std::string> heading;  ///< Comment lines on top.
   std::string segmenter;             ///< Plugin name.
   std::string segmenter_yaml;        ///< Its parameters, not indented.
   std::optional<FieldNumbers> field;
   std::optional<BlobNumbers> blobs;
+  std::optional<LightNumbers> light;
 };
 
 std::string to_calibration_yaml(const CalibrationNumbers& numbers);

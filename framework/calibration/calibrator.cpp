@@ -46,9 +46,11 @@ Node laid_over(const Node& document, const std::string& yaml) {
   return merged;
 }
 
-Node without_outputs(Node document) {
-  const auto is_sinks = [](const Node::Entry& entry) { return entry.key == "sinks"; };
-  std::erase_if(document.entries, is_sinks);
+/// Numbers are found in the light there is, so following another one must not come between.
+Node without_outputs_and_light(Node document) {
+  std::erase_if(document.entries, [](const Node::Entry& entry) {
+    return entry.key == "sinks" || entry.key == "light";
+  });
   return document;
 }
 
@@ -81,7 +83,7 @@ class Calibrator {
       : request_(request),
         registry_(registry),
         reporter_(reporter),
-        document_(without_outputs(request.document)),
+        document_(without_outputs_and_light(request.document)),
         frames_(frames.begin(), frames.end()) {
     built_ = build_pipeline(document_, registry_, silent_);
     const PipelineParts& parts = built_.pipeline->parts();
@@ -317,6 +319,7 @@ class Calibrator {
   }
 
   void write_down() {
+    note_light();
     result_.after = try_out(yaml_for(threshold_), evenly<cv::Mat>(frames_, kTrialFrames));
     result_.findings.push_back(
         fmt::format("gray threshold {} ({})", threshold_.best, describe(threshold_)));
@@ -325,6 +328,25 @@ class Calibrator {
         fmt::format("From {} frames of {} x {}: {}.", frames_.size(), frames_.front().cols,
                     frames_.front().rows, one_line(result_.after))};
     result_.yaml = yaml_for(threshold_);
+  }
+
+  /// The field's colour now, so that its change later tells what the light did.
+  void note_light() {
+    BuiltPipeline trial = build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_,
+                                         silent_);
+    score_by_pattern(*trial.pipeline, std::span(frames_).first(1));
+    const std::shared_ptr<const Field>& field = trial.pipeline->field();
+    if (!field) return;
+    LightNumbers light;
+    for (const cv::Mat& frame : frames_) {
+      const std::array<double, 3> color = scene_color(frame, *field);
+      for (std::size_t c = 0; c < 3; ++c) {
+        light.reference_rgb[c] += color[c] / static_cast<double>(frames_.size());
+      }
+    }
+    // Black tells nothing: where pictures are rendered there may be no floor to go by.
+    constexpr double kDarkestFloor = 4.0;
+    if (std::ranges::min(light.reference_rgb) >= kDarkestFloor) numbers_.light = light;
   }
 
   /// A tag or ball as small as the smallest seen, or as large as two of the largest merged.

@@ -16,9 +16,10 @@ constexpr std::size_t kPixelsPerTag = 80;
 constexpr std::size_t kFewestInnerPixels = 20;
 constexpr std::size_t kBackgroundPixels = 24'000;
 constexpr double kStrayHeart = 0.7;  // of its radius
-// Relative to the light there is, as steps of colour temperature from 6500 K. Warmer reaches farther:
-// as a day goes on daylight fades and lamps stay. Dimmed, so that nothing saturates that did not.
-constexpr std::array<double, 5> kOtherLight{4000.0, 4400.0, 5000.0, 5700.0, 7300.0};
+// Warmer and colder, relative to the light there is, as steps of colour temperature from 6500 K. The
+// light is followed as a whole; this is for what lamps and windows do to parts of the field. Dimmed,
+// so that nothing saturates that did not.
+constexpr std::array<double, 4> kOtherLight{4800.0, 5600.0, 7700.0, 9500.0};
 constexpr double kDimmed = 0.6;
 constexpr int kRimPx = 4;  // around tags, where colours mix: neither tag nor background
 

@@ -79,6 +79,13 @@ void look_up_row(const std::uint8_t* bgr, std::size_t width, const ColorTable& t
   for (; x < width; ++x) labels[x] = table(bgr[3 * x], bgr[3 * x + 1], bgr[3 * x + 2]);
 }
 
+void look_up_row(const std::uint8_t* bgr, std::size_t width, const ColorTable& table,
+                 const ChannelMap& map, Label* labels) {
+  for (std::size_t x = 0; x < width; ++x) {
+    labels[x] = table(map.b[bgr[3 * x]], map.g[bgr[3 * x + 1]], map.r[bgr[3 * x + 2]]);
+  }
+}
+
 // Fills the labels of each row by `label_row(y, labels)` and appends its runs.
 template <class LabelRow>
 void extract_rows(cv::Size size, std::vector<Run>& runs, LabelRow label_row) {
@@ -98,6 +105,14 @@ void extract_runs(const cv::Mat& bgr, const ColorTable& table, std::vector<Run>&
   CV_Assert(bgr.type() == CV_8UC3 && bgr.cols <= int{kMaxWidth} && bgr.rows <= int{kMaxWidth});
   extract_rows(bgr.size(), runs, [&](int y, Label* labels) {
     look_up_row(bgr.ptr(y), static_cast<std::size_t>(bgr.cols), table, labels);
+  });
+}
+
+void extract_runs(const cv::Mat& bgr, const ColorTable& table, const ChannelMap& map,
+                  std::vector<Run>& runs) {
+  CV_Assert(bgr.type() == CV_8UC3 && bgr.cols <= int{kMaxWidth} && bgr.rows <= int{kMaxWidth});
+  extract_rows(bgr.size(), runs, [&](int y, Label* labels) {
+    look_up_row(bgr.ptr(y), static_cast<std::size_t>(bgr.cols), table, map, labels);
   });
 }
 

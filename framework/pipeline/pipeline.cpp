@@ -39,7 +39,10 @@ void BlobParameters::describe(Parameters& p) {
 }
 
 Pipeline::Pipeline(PipelineParts parts, Reporter& reporter)
-    : parts_(std::move(parts)), reporter_(reporter), image_path_(std::make_unique<ImagePath>()) {
+    : parts_(std::move(parts)),
+      reporter_(reporter),
+      light_follower_(parts_.light),
+      image_path_(std::make_unique<ImagePath>()) {
   const auto* normalizer = dynamic_cast<const ColorNormalizer*>(parts_.normalizer.stage.get());
   const auto* segmenter = dynamic_cast<const ColorSegmenter*>(parts_.segmenter.stage.get());
   if (normalizer == nullptr || segmenter == nullptr) return;
@@ -101,12 +104,18 @@ void Pipeline::take_size(cv::Size size) {
 }
 
 void Pipeline::segment(FrameResult& result) {
+  channel_map_ = light_follower_.look(result.frame.bgr, *field_, result.frame.captured);
+  if (table_ && channel_map_ != nullptr) {
+    extract_runs(result.frame.bgr, *table_, *channel_map_, result.runs);
+    return;
+  }
   if (table_) {
     extract_runs(result.frame.bgr, *table_, result.runs);
     return;
   }
   const AtFrame when{result.frame.sequence};
-  const cv::Mat& bgr = result.frame.bgr;
+  if (channel_map_ != nullptr) apply(*channel_map_, result.frame.bgr, balanced_);
+  const cv::Mat& bgr = channel_map_ != nullptr ? balanced_ : result.frame.bgr;
   guarded(StageKind::kNormalizer, parts_.normalizer.name, when,
           [&] { image_path_->normalize(bgr, *parts_.normalizer.stage); });
   const cv::Mat& labels = guarded(

@@ -181,7 +181,8 @@ void apply_assignment(MergedRequest& merged, std::string_view assignment) {
 const std::vector<std::string>& known_sections() {
   static const std::vector<std::string> sections{"palette",    "plugins",   "source",
                                                  "normalizer", "segmenter", "field",
-                                                 "blobs",      "tracker",   "sinks"};
+                                                 "blobs",      "light",     "tracker",
+                                                 "sinks"};
   return sections;
 }
 

@@ -12,6 +12,7 @@
 #include "maggic/color_table.hpp"
 #include "maggic/field.hpp"
 #include "maggic/frame_result.hpp"
+#include "maggic/light_follower.hpp"
 #include "maggic/plugin_registry.hpp"
 
 namespace maggic {
@@ -46,6 +47,7 @@ struct PipelineParts {
   Palette palette;
   FieldParameters field;
   BlobParameters blobs;
+  LightParameters light;
   NamedStage<Normalizer> normalizer;
   NamedStage<Segmenter> segmenter;
   NamedStage<Tracker> tracker;
@@ -79,6 +81,10 @@ class Pipeline {
   const Palette& palette() const { return parts_.palette; }
   const PipelineParts& parts() const { return parts_; }
 
+  /// What the latest frame's colours were sent through before anything judged them; null when they
+  /// were taken as they came.
+  const ChannelMap* channel_map() const { return channel_map_; }
+
   /// The compiled table; nothing when a stage needs the picture.
   const ColorTable* color_table() const { return table_ ? &*table_ : nullptr; }
   /// The blob limits, in pixels, for the latest processed frame's size; and the scale they were
@@ -99,6 +105,9 @@ class Pipeline {
   Reporter& reporter_;
   std::optional<ColorTable> table_;
   std::chrono::nanoseconds table_compile_time_{0};
+  LightFollower light_follower_;
+  const ChannelMap* channel_map_ = nullptr;  ///< Into the follower.
+  cv::Mat balanced_;  ///< The picture through the channel map, for image stages.
   std::unique_ptr<ImagePath> image_path_;  ///< Used when there is no table.
   std::shared_ptr<const Field> field_;
   BlobExtractor::Limits blob_limits_px_;

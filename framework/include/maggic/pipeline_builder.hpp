@@ -10,6 +10,7 @@
 ///     segmenter:  {hue_pivots: {…}}
 ///     field:      {…}
 ///     blobs:      {…}
+///     light:      {…}                        # follow light that changes; light_follower.hpp
 ///     tracker:    {two_tag: {…}}
 ///     sinks:      [{jsonl: {path: out.jsonl}}, …]
 ///

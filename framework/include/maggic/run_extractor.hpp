@@ -7,6 +7,7 @@
 
 #include "maggic/blob.hpp"
 #include "maggic/color_table.hpp"
+#include "maggic/light_follower.hpp"
 
 namespace maggic {
 
@@ -14,6 +15,10 @@ namespace maggic {
 /// rows and then by columns, both ascending.
 /// @param bgr CV_8UC3, at most 65535 a side, rows may be padded.
 void extract_runs(const cv::Mat& bgr, const ColorTable& table, std::vector<Run>& runs);
+
+/// The same of colours that are first sent through `map`, channel by channel.
+void extract_runs(const cv::Mat& bgr, const ColorTable& table, const ChannelMap& map,
+                  std::vector<Run>& runs);
 
 /// The same from a label image, for segmenters that need the picture.
 /// @param labels CV_8UC1, at most 65535 a side.

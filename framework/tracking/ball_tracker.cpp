@@ -162,7 +162,7 @@ std::string BallTracker::explain(const TrackerInput& input, std::span<const Robo
     case Refusal::kArea: {
       const bool small = look.area_ratio < 1.0;
       return fmt::format(
-          "not the ball: its {:.0f} mm² are {:.2f} of the ball's disc of {:.0f} mm², {} is {}",
+          "not the ball: its {:.0f} mm² are {:.3g} of the ball's disc of {:.0f} mm², {} is {}",
           look.metric.area_mm2, look.area_ratio, disc_mm2(),
           small ? "ball_min_area_ratio" : "ball_max_area_ratio",
           small ? parameters_.ball_min_area_ratio : parameters_.ball_max_area_ratio);

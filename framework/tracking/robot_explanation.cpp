@@ -153,7 +153,7 @@ class Explanation {
     const double ratio = blob.area_mm2 / patch.area_mm2;
     const TrackingParameters& parameters = evidence_.parameters;
     const bool small = ratio < parameters.patch_min_area_ratio;
-    return fmt::format("its {:.0f} mm² are {:.2f} of a {} patch's {:.0f} mm², {} is {}",
+    return fmt::format("its {:.0f} mm² are {:.3g} of a {} patch's {:.0f} mm², {} is {}",
                        blob.area_mm2, ratio, role, patch.area_mm2,
                        small ? "patch_min_area_ratio" : "patch_max_area_ratio",
                        small ? parameters.patch_min_area_ratio : parameters.patch_max_area_ratio);

@@ -28,8 +28,8 @@ class ColorSegmenter : public Segmenter {
                        std::span<Label> labels) const = 0;
 
   /// Why one colour gets its label, in words a person at the field can act on, naming the rule and
-  /// its numbers: "gray: channels spread over 12 steps, gray_threshold is 60". Empty: the segmenter
-  /// does not say.
+  /// its numbers: "gray: channels spread over 12 steps, gray_threshold is 60". One sentence a line.
+  /// Empty: the segmenter does not say.
   /// @param original,normalized one colour each.
   virtual std::string explain(const ColorBatch& /*original*/,
                               const ColorBatch& /*normalized*/) const {

@@ -223,12 +223,12 @@ class HuePivots final : public maggic::ColorSegmenter {
                     nearest_text(hue));
     if (spread <= gray_threshold_) {
       return fmt::format(
-          "gray: channels of the normalized colour spread over {} steps, gray_threshold is {}; "
+          "gray: channels of the normalized colour spread over {} steps, gray_threshold is {}\n"
           "without the gray filter: {}",
           spread, gray_threshold_, by_hue);
     }
     if (const std::string excluded = exclusion_text(of_hue, index); !excluded.empty()) {
-      return fmt::format("{}; without that: {}", excluded, by_hue);
+      return fmt::format("{}\nwithout that: {}", excluded, by_hue);
     }
     return by_hue;
   }

@@ -228,7 +228,7 @@ TEST(HuePivots, SaysWhichPivotIsNearestAndWhichIsNext) {
 TEST(HuePivots, SaysWhatTheGrayFilterTakesAway) {
   const std::string why = explanation(*hue_pivots("gray_threshold: 60"), {255, 0, 0}, {62, 50, 50});
   EXPECT_THAT(why, StartsWith("gray: channels of the normalized colour spread over 12 steps, "
-                              "gray_threshold is 60; without the gray filter: hue 0"));
+                              "gray_threshold is 60\nwithout the gray filter: hue 0"));
 }
 
 TEST(HuePivots, SaysWhichRectangleExcludesAColor) {
@@ -236,7 +236,7 @@ TEST(HuePivots, SaysWhichRectangleExcludesAColor) {
       "exclude: [{hue: [90, 99]}, {hue: [250, 10], value: [0, 120], saturation: [200, 255]}]");
   EXPECT_THAT(explanation(*stage, {100, 0, 0}),
               StartsWith("excluded: hue 0, saturation 255, value 100 lie in exclude[1] (hue [250, "
-                         "10], saturation [200, 255], value [0, 120]); without that: hue 0"));
+                         "10], saturation [200, 255], value [0, 120])\nwithout that: hue 0"));
   EXPECT_THAT(explanation(*stage, {121, 0, 0}), Not(HasSubstr("excluded")));
 }
 

@@ -147,7 +147,7 @@ class YuvBoxes final : public maggic::ColorSegmenter {
                                      color.v, box_text(color));
     if (!is_gray(original)) return by_box;
     return fmt::format(
-        "gray: channels of the original colour spread over {} steps, gray_threshold is {}; "
+        "gray: channels of the original colour spread over {} steps, gray_threshold is {}\n"
         "without the gray filter: {}",
         spread_of(original), *gray_threshold_, by_box);
   }

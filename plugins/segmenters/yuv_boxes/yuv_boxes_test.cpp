@@ -154,7 +154,7 @@ TEST(YuvBoxes, SaysWhatTheGrayFilterTakesAway) {
       "yuv_boxes", std::string("{gray_threshold: 20, boxes: {red: ") + kWhole + "}}");
   EXPECT_THAT(explanation(*stage, {120, 100, 100}),
               StartsWith("gray: channels of the original colour spread over 20 steps, "
-                         "gray_threshold is 20; without the gray filter: YUV"));
+                         "gray_threshold is 20\nwithout the gray filter: YUV"));
 }
 
 TEST(YuvBoxes, ListsTheColorsThatClaimAColorTheWinnerFirst) {

@@ -62,6 +62,7 @@ Outcome run_all(std::vector<Contestant>& contestants, const CompareOptions& opti
   Outcome outcome{Comparison(contestants.size(), contestants.front().truth.tolerance()),
                   DifferentFrames(kDifferentFrames, kFramesApart)};
   std::vector<Pipeline*> pipelines;
+  pipelines.reserve(contestants.size());
   for (Contestant& contestant : contestants) pipelines.push_back(contestant.built.pipeline.get());
 
   Progress progress(console, options.frames);

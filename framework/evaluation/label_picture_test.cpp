@@ -1,8 +1,10 @@
 #include "maggic/label_picture.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
+#include <opencv2/core.hpp>
 
 namespace maggic {
 namespace {

@@ -17,7 +17,7 @@ namespace {
 
 int digits_of(const Figure& figure) { return figure.unit.empty() ? 0 : figure.unit == "%" ? 2 : 3; }
 
-std::string with_unit(std::string number, const Figure& figure) {
+std::string with_unit(const std::string& number, const Figure& figure) {
   return figure.unit.empty() ? number : number + ' ' + figure.unit;
 }
 

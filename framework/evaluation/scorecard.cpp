@@ -122,6 +122,7 @@ std::vector<Link> best_of(const std::vector<Link>& links, std::size_t true_robot
   std::vector<int> chosen;
   solver.solve(scores, groups, conflicts, chosen);
   std::vector<Link> best;
+  best.reserve(chosen.size());
   for (const int i : chosen) best.push_back(links[static_cast<std::size_t>(i)]);
   return best;
 }

@@ -332,7 +332,7 @@ RC_GTEST_PROP(ScorecardProperty, TheOrderOfRobotsDoesNotMatter, ()) {
     }
     card.add(detections, scene, field());
     std::ranges::reverse(detections.robots);
-    std::ranges::rotate(scene.robots, scene.robots.begin() + (scene.robots.size() > 1 ? 1 : 0));
+    if (!scene.robots.empty()) std::swap(scene.robots.front(), scene.robots.back());
     shuffled_card.add(detections, scene, field());
   }
   const auto figures = score_figures(card, StepStatistics(), std::nullopt);

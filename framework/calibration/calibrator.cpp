@@ -19,6 +19,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "calibration/threshold_scan.hpp"
+#include "maggic/border_check.hpp"
 #include "maggic/calibration.hpp"
 
 namespace maggic {
@@ -320,7 +321,16 @@ class Calibrator {
 
   void write_down() {
     note_light();
-    result_.after = try_out(yaml_for(threshold_), evenly<cv::Mat>(frames_, kTrialFrames));
+    BuiltPipeline final =
+        build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_, silent_);
+    BlobColors colors;
+    result_.after = score_by_pattern(
+        *final.pipeline, evenly<cv::Mat>(frames_, kTrialFrames), [&](const FrameResult& frame) {
+          colors.offer(frame, final.pipeline->channel_map());
+        });
+    for (const DoubtfulBorder& border : find_doubtful_borders(*final.pipeline, colors)) {
+      result_.unsettled.push_back(border.to_string(palette()));
+    }
     result_.findings.push_back(
         fmt::format("gray threshold {} ({})", threshold_.best, describe(threshold_)));
     numbers_.heading = {

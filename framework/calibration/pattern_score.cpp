@@ -18,7 +18,8 @@ bool is_complete(const RobotDetection& robot, const std::vector<TagLayout>& layo
 
 }  // namespace
 
-PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frames) {
+PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frames,
+                              const std::function<void(const FrameResult&)>& on_frame) {
   const auto pattern = pipeline.parts().tracker.stage->pattern();
   const std::vector<TagLayout> layouts = pattern ? pattern->layouts : std::vector<TagLayout>{};
   PatternScore score;
@@ -33,6 +34,7 @@ PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frame
       (is_complete(robot, layouts) ? score.robots : score.doubtful) += 1.0;
     }
     if (result.detections.ball) score.balls += 1.0;
+    if (on_frame) on_frame(result);
   }
   if (score.frames == 0) return score;
   const auto count = static_cast<double>(score.frames);

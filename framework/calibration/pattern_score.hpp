@@ -1,6 +1,7 @@
 #pragma once
 /// What a whole pipeline makes of frames, judged by the tag pattern alone.
 
+#include <functional>
 #include <span>
 
 #include <opencv2/core/mat.hpp>
@@ -12,6 +13,8 @@ namespace maggic::calibration {
 
 /// Runs the frames, each on its own: no motion carries over.
 /// @throws StageError when a stage fails.
-PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frames);
+/// @param on_frame called after each processed frame; may be empty.
+PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frames,
+                              const std::function<void(const FrameResult&)>& on_frame = {});
 
 }  // namespace maggic::calibration

@@ -23,7 +23,9 @@ class BlobColors {
 
   /// Takes the colours of a processed frame when its turn has come: of 8, 16, 32, … frames every
   /// first, second, fourth, … is kept. Cheap enough for the run loop's `on_frame`.
-  void offer(const FrameResult& result);
+  /// @param map what the pipeline sent the frame's colours through, if anything:
+  ///   Pipeline::channel_map().
+  void offer(const FrameResult& result, const ChannelMap* map = nullptr);
 
   /// One colour and in how many pixels it was seen.
   struct Count {

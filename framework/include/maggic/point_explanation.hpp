@@ -13,7 +13,7 @@ namespace maggic {
 
 /// What one stage made of a point.
 struct StageAnswer {
-  std::string stage;  ///< "pixel", "normalized", "label", "blob", "tracker".
+  std::string stage;  ///< "pixel", "light", "normalized", "label", "blob", "tracker".
   std::string text;   ///< One sentence or several, one a line.
 };
 

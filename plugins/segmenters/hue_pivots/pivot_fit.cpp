@@ -90,7 +90,7 @@ Border place_border(const Cluster& a, const Cluster& b) {
   }
   double lost_of_b = 0.0;
   double imagined_lost_of_b = 0.0;
-  Border best{a.middle, 2.0};
+  Border best{a.middle, 1.0};
   double least = 1e9;
   int first = a.middle;
   int last = a.middle;

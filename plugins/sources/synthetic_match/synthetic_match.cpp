@@ -129,6 +129,8 @@ class SyntheticMatch final : public Source {
     p.number({"fps", "frames per second; frame n is captured at n/fps", "1/s"}, fps_,
              {1.0, 1000.0});
     p.integer({"frames", "how many frames to give; 0: endless"}, frames_, {0, 1'000'000'000});
+    p.integer({"skip", "so many frames of the match are played before the first one is given"},
+              skip_, {0, 1'000'000});
     p.integer({"seed", "another number is another match"}, seed_, {0, 1'000'000'000});
     p.choice<Pattern>({"layout", "tag pattern of the robots; mixed: both in either team"}, pattern_,
                       {{"two_tag", Pattern::kTwoTag},
@@ -197,8 +199,12 @@ class SyntheticMatch final : public Source {
   }
 
   ReadStatus read(Frame& frame) override {
-    if (frames_ > 0 && next_ >= static_cast<std::uint64_t>(frames_)) return ReadStatus::kEnd;
-    if (next_ > 0) match_->advance();
+    const auto first = static_cast<std::uint64_t>(skip_);
+    if (frames_ > 0 && next_ >= first + static_cast<std::uint64_t>(frames_)) {
+      return ReadStatus::kEnd;
+    }
+    for (; next_ < first; ++next_) match_->advance();
+    if (next_ > 0 && next_ != first) match_->advance();
     frame.captured = Timestamp(std::llround(static_cast<double>(next_) * 1e9 / fps_));
     frame.truth.sequence = next_;
     frame.truth.captured = frame.captured;
@@ -310,6 +316,7 @@ class SyntheticMatch final : public Source {
   cv::Size size_{640, 480};
   double fps_ = 60.0;
   int frames_ = 0;
+  int skip_ = 0;
   int seed_ = 1;
   Pattern pattern_ = Pattern::kTwoTag;
   std::optional<int> robots_per_team_;

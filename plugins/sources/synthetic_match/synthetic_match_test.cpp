@@ -65,6 +65,16 @@ TEST(SyntheticMatch, SameSeedGivesSameFrames) {
   EXPECT_EQ(first.truth.robots[2].position_mm, second.truth.robots[2].position_mm);
 }
 
+TEST(SyntheticMatch, SkippedFramesArePlayedAllTheSame) {
+  const Frame late = frame_at(*match("{width: 160, height: 120}"), 25);
+  const auto source = match("{width: 160, height: 120, skip: 20, frames: 6}");
+  Frame frame;
+  for (int i = 0; i <= 5; ++i) ASSERT_EQ(source->read(frame), ReadStatus::kFrame);
+  EXPECT_TRUE(same_picture(frame.bgr, late.bgr));
+  EXPECT_EQ(frame.captured, late.captured);
+  EXPECT_EQ(source->read(frame), ReadStatus::kEnd);
+}
+
 TEST(SyntheticMatch, AnotherSeedGivesAnotherMatch) {
   const Frame first = frame_at(*match("{width: 160, height: 120, seed: 7}"), 5);
   const Frame second = frame_at(*match("{width: 160, height: 120, seed: 8}"), 5);

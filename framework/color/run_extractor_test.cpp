@@ -172,5 +172,24 @@ TEST(DrawRuns, PaintsTheLabelImageTheRunsCameFrom) {
   EXPECT_EQ(cv::norm(drawn, labels, cv::NORM_INF), 0.0);
 }
 
+TEST(ExtractRuns, ThroughAChannelMapGiveTheRunsOfTheMappedPicture) {
+  ChannelMap map;
+  for (std::size_t value = 0; value < 256; ++value) {
+    map.b[value] = static_cast<std::uint8_t>(255 - value);
+    map.g[value] = static_cast<std::uint8_t>(value / 2);
+    map.r[value] = static_cast<std::uint8_t>(value ^ 0x80u);
+  }
+  cv::Mat noise(21, 35, CV_8UC3);
+  cv::randu(noise, 0, 256);
+  cv::Mat mapped;
+  apply(map, noise, mapped);
+  std::vector<Run> through_map;
+  std::vector<Run> of_mapped;
+  extract_runs(noise, table(), map, through_map);
+  extract_runs(mapped, table(), of_mapped);
+  EXPECT_EQ(through_map, of_mapped);
+  EXPECT_FALSE(of_mapped.empty());
+}
+
 }  // namespace
 }  // namespace maggic

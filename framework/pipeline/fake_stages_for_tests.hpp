@@ -108,7 +108,7 @@ struct Rig {
   BuiltPipeline built;
 
   explicit Rig(std::uint64_t frames, std::size_t sink_count = 1, bool image_stages = false,
-               const FieldParameters& field = {}) {
+               const FieldParameters& field = {}, const LightParameters& light = {}) {
     auto new_source = std::make_unique<CountingSource>();
     source = new_source.get();
     source->count = frames;
@@ -117,6 +117,7 @@ struct Rig {
     PipelineParts parts;
     parts.palette = Palette::standard();
     parts.field = field;
+    parts.light = light;
     if (image_stages) {
       parts.normalizer = named<Normalizer>("same", std::make_unique<SameImageNormalizer>());
       parts.segmenter = named<Segmenter>("red", std::make_unique<RedImageSegmenter>());

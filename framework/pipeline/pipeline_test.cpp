@@ -1,5 +1,6 @@
 #include "maggic/pipeline.hpp"
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -48,6 +49,28 @@ TEST(Pipeline, StagesThatNeedThePictureGiveTheSameAsTheCompiledTable) {
   compiled.built.pipeline->process(a);
   per_frame.built.pipeline->process(b);
   EXPECT_EQ(a.runs, b.runs);
+}
+
+TEST(Pipeline, SeesADimmedPictureAsTheCalibrationDid) {
+  LightParameters light;
+  light.follow = true;
+  light.reference_rgb = {10.0, 10.0, 10.0};  // the floor of red_square
+  for (const bool image_stages : {false, true}) {
+    Rig rig(0, 1, image_stages, {}, light);
+    FrameResult result;
+    result.frame.bgr = red_square(64, 48);
+    rig.built.pipeline->process(result);
+    EXPECT_EQ(rig.built.pipeline->channel_map(), nullptr);
+    const std::vector<Run> in_full_light = result.runs;
+
+    result.frame.captured += std::chrono::minutes(1);
+    result.frame.bgr = red_square(64, 48) * 0.3;
+    const cv::Mat as_captured = result.frame.bgr.clone();
+    rig.built.pipeline->process(result);
+    EXPECT_NE(rig.built.pipeline->channel_map(), nullptr);
+    EXPECT_EQ(result.runs, in_full_light);
+    EXPECT_EQ(cv::norm(result.frame.bgr, as_captured, cv::NORM_INF), 0.0);  // sinks show it as it is
+  }
 }
 
 TEST(Pipeline, TakesFramesOfChangingSizeAsTheyCome) {

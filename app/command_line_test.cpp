@@ -89,7 +89,8 @@ TEST(CommandLine, AMistypedCommandIsAnsweredWithTheKnownOnes) {
   const auto& end = std::get<EarlyEnd>(parsed);
   EXPECT_EQ(end.code, kMistake);
   EXPECT_THAT(end.text, HasSubstr("unknown command 'rnu', did you mean 'run'? "
-                                  "(known: run, check, plugins, describe, new)"));
+                                  "(known: run, calibrate, score, compare, sweep, plot, import, "
+                                  "check, plugins, describe, new)"));
 }
 
 std::string mistake_text(std::vector<const char*> arguments) {

@@ -20,8 +20,8 @@ FrameResult frame_of(std::uint8_t blue, cv::Size size = {4, 2}) {
   for (int row = 0; row < size.height; ++row) {
     const auto y = static_cast<std::uint16_t>(row);
     result.runs.push_back({y, 0, static_cast<std::uint16_t>(size.width / 2), 1});
-    result.runs.push_back({y, static_cast<std::uint16_t>(size.width / 2),
-                           static_cast<std::uint16_t>(size.width), 2});
+    result.runs.push_back(
+        {y, static_cast<std::uint16_t>(size.width / 2), static_cast<std::uint16_t>(size.width), 2});
   }
   result.blobs.push_back(blob);
   return result;

@@ -27,7 +27,7 @@ struct OneColor {
 };
 
 OneColor color_at(const cv::Mat& bgr, cv::Point pixel_px) {
-  const auto pixel = bgr.at<cv::Vec3b>(pixel_px);
+  const auto& pixel = bgr.at<cv::Vec3b>(pixel_px);
   return {{pixel[0], pixel[1], pixel[2]}};
 }
 

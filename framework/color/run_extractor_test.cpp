@@ -183,8 +183,8 @@ TEST(ExtractRuns, ThroughAChannelMapGiveTheRunsOfTheMappedPicture) {
   cv::randu(noise, 0, 256);
   cv::Mat mapped;
   apply(map, noise, mapped);
-  std::vector<Run> through_map;
-  std::vector<Run> of_mapped;
+  std::vector<maggic::Run> through_map;
+  std::vector<maggic::Run> of_mapped;
   extract_runs(noise, table(), map, through_map);
   extract_runs(mapped, table(), of_mapped);
   EXPECT_EQ(through_map, of_mapped);

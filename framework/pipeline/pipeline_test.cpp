@@ -61,7 +61,7 @@ TEST(Pipeline, SeesADimmedPictureAsTheCalibrationDid) {
     result.frame.bgr = red_square(64, 48);
     rig.built.pipeline->process(result);
     EXPECT_EQ(rig.built.pipeline->channel_map(), nullptr);
-    const std::vector<Run> in_full_light = result.runs;
+    const std::vector<maggic::Run> in_full_light = result.runs;
 
     result.frame.captured += std::chrono::minutes(1);
     result.frame.bgr = red_square(64, 48) * 0.3;

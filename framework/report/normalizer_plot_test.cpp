@@ -60,7 +60,8 @@ TEST(NormalizerPlot, HalvingMovesTheValueAndLeavesHueAndSaturation) {
 TEST(NormalizerPlot, GivesABlackenedColourNoHueOfItsOwn) {
   Scaling black;
   black.percent = 0;
-  for (const PlotArrow& arrow : normalizer_plot("black", black).plots[3].arrows) {
+  const PlotGrid grid = normalizer_plot("black", black);
+  for (const PlotArrow& arrow : grid.plots[3].arrows) {
     EXPECT_EQ(arrow.to, cv::Point2d(arrow.from.x, 0.0));
   }
 }

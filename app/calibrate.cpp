@@ -27,8 +27,8 @@ double number_from(std::string_view text, std::string_view whole) {
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size()) return number;
-  throw std::invalid_argument(
-      fmt::format("--corners: found '{}', expected two numbers with a comma, such as 39,-5", whole));
+  throw std::invalid_argument(fmt::format(
+      "--corners: found '{}', expected two numbers with a comma, such as 39,-5", whole));
 }
 
 cv::Point2d corner_from(std::string_view text) {
@@ -49,14 +49,15 @@ void check_output(const CalibrateOptions& options, const PipelineRequest& reques
   refuse_if_same(request.pipeline, "the pipeline itself");
   if (options.pipeline.source) refuse_if_same(*options.pipeline.source, "what is looked at");
   if (fs::is_directory(output, ignored)) {
-    throw std::invalid_argument(fmt::format("'{}' is a folder, expected the name of a file to "
-                                            "write", output.string()));
+    throw std::invalid_argument(
+        fmt::format("'{}' is a folder, expected the name of a file to "
+                    "write",
+                    output.string()));
   }
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, ignored)) {
-    throw std::invalid_argument(
-        fmt::format("there is no folder '{}' to write '{}' into", folder.string(),
-                    output.filename().string()));
+    throw std::invalid_argument(fmt::format("there is no folder '{}' to write '{}' into",
+                                            folder.string(), output.filename().string()));
   }
 }
 
@@ -70,8 +71,9 @@ bool is_field_known(const PipelineOptions& options, const Node& document,
 }
 
 std::string text_of(const PatternScore& score) {
-  return fmt::format("{:.2f} complete robots a frame, {:.2f} doubtful, a ball in {:.0f} % of frames",
-                     score.robots, score.doubtful, 100.0 * score.balls);
+  return fmt::format(
+      "{:.2f} complete robots a frame, {:.2f} doubtful, a ball in {:.0f} % of frames", score.robots,
+      score.doubtful, 100.0 * score.balls);
 }
 
 void report(const CalibrationResult& result, Console& console) {
@@ -134,7 +136,8 @@ ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& l
   constexpr double kWorse = 0.02;
   if (result.after.value() < result.before.value() - kWorse) {
     console.line(fmt::format("what was found does worse than the numbers there are, so '{}' was "
-                             "not written", options.output.string()),
+                             "not written",
+                             options.output.string()),
                  Console::Tone::kError, "error: ");
     return kFailed;
   }

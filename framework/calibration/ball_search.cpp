@@ -120,8 +120,8 @@ class BallSearch {
 }  // namespace
 
 BallSightings find_ball(std::span<const FramePatches> patches, std::span<const FramePatches> found,
-                        const Naming& naming, const TrackedPattern& pattern,
-                        const Palette& palette, const TagMetric& metric) {
+                        const Naming& naming, const TrackedPattern& pattern, const Palette& palette,
+                        const TagMetric& metric) {
   return BallSearch(patches, pattern, palette, metric).find(found, naming);
 }
 

@@ -10,9 +10,9 @@
 namespace maggic::calibration {
 
 struct BallSightings {
-  int gray_threshold = 0;                     ///< At which it was seen best.
+  int gray_threshold = 0;  ///< At which it was seen best.
   std::vector<std::optional<Patch>> by_frame;
-  int count = 0;                              ///< Frames with one.
+  int count = 0;  ///< Frames with one.
 };
 
 /// The ball is what is part of no robot, round, of its size and near the palette's orange, and of
@@ -20,7 +20,7 @@ struct BallSightings {
 /// @param patches of each frame, at some threshold.
 /// @param found,naming the robots of the same frames, at perhaps another threshold.
 BallSightings find_ball(std::span<const FramePatches> patches, std::span<const FramePatches> found,
-                        const Naming& naming, const TrackedPattern& pattern,
-                        const Palette& palette, const TagMetric& metric);
+                        const Naming& naming, const TrackedPattern& pattern, const Palette& palette,
+                        const TagMetric& metric);
 
 }  // namespace maggic::calibration

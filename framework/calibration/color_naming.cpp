@@ -30,8 +30,7 @@ struct FrameView {
 
 class Namer {
  public:
-  Namer(std::span<const FramePatches> frames, const TrackedPattern& pattern,
-        const Palette& palette)
+  Namer(std::span<const FramePatches> frames, const TrackedPattern& pattern, const Palette& palette)
       : pattern_(pattern) {
     for (std::size_t label = 0; label < palette.size(); ++label) {
       const DisplayColor shown = palette.display_color(static_cast<Label>(label));
@@ -212,8 +211,7 @@ class Namer {
   double score(const std::vector<Label>& names) const {
     double sum = 0.0;
     for (const FrameView& view : views_) {
-      take_robots(view, names,
-                  [&](const PatternCandidate&, bool, double worth) { sum += worth; });
+      take_robots(view, names, [&](const PatternCandidate&, bool, double worth) { sum += worth; });
     }
     return sum;
   }

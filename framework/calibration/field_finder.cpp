@@ -11,10 +11,10 @@
 namespace maggic::calibration {
 namespace {
 
-constexpr int kMinContrast = 10;          // 8-bit steps between a line and the floor
-constexpr double kWidestLineMm = 40.0;    // the top of a wall
-constexpr double kThinnestWallMm = 11.0;  // lines are narrower, blur included
-constexpr double kShortestLineMm = 110.0; // a goal area's side, less what is hidden of it
+constexpr int kMinContrast = 10;           // 8-bit steps between a line and the floor
+constexpr double kWidestLineMm = 40.0;     // the top of a wall
+constexpr double kThinnestWallMm = 11.0;   // lines are narrower, blur included
+constexpr double kShortestLineMm = 110.0;  // a goal area's side, less what is hidden of it
 // What the lines may make of the scale the tags suggest: tags are nearer to the camera than the
 // floor, blur makes them larger, and teams cut them by hand.
 constexpr double kMinScaleRatio = 0.85;
@@ -23,15 +23,15 @@ constexpr double kMaxStretchRatio = 1.2;  // between both axes, beyond what the 
 constexpr double kCaptureMm = 8.0;        // a line this far from its place supports a hypothesis
 constexpr double kLineSeen = 0.5;         // of its points, for the line to count as seen
 constexpr double kMinSeenShare = 0.4;
-constexpr double kMinLensGain = 0.93;     // a lens has to lower the error to this, at least
+constexpr double kMinLensGain = 0.93;  // a lens has to lower the error to this, at least
 
 using Corners = std::array<cv::Point2d, 4>;
 
 /// Meeting point of an upright and a level line.
 cv::Point2d meet(const SeenLine& upright, const SeenLine& level, cv::Point2d middle) {
   // x = a + s (y - my), y = b + t (x - mx)
-  const double y = (level.position_px + level.slope * (upright.position_px - middle.x -
-                                                       upright.slope * middle.y)) /
+  const double y = (level.position_px +
+                    level.slope * (upright.position_px - middle.x - upright.slope * middle.y)) /
                    (1.0 - level.slope * upright.slope);
   return {upright.position_px + upright.slope * (y - middle.y), y};
 }
@@ -70,8 +70,8 @@ class FieldFinder {
     refine(straight, false);
     Estimate bent = straight;
     refine(bent, true);
-    const bool lens_helps = error_px(bent) <= kMinLensGain * error_px(straight) &&
-                            bulge_px(bent) >= kMinBulgePx;
+    const bool lens_helps =
+        error_px(bent) <= kMinLensGain * error_px(straight) && bulge_px(bent) >= kMinBulgePx;
     const Estimate& chosen = lens_helps ? bent : straight;
     FoundField found;
     found.corners_px = chosen.corners;
@@ -79,9 +79,8 @@ class FieldFinder {
     found.error_px = error_px(chosen);
     const Field field = to_field(chosen);
     for (const ModelLine& line : lines_) {
-      const double share = share_seen(line, [&](cv::Point2d p) {
-        return field.to_image_px(p, 0.0);
-      }, kCaptureMm / 2.0);
+      const double share = share_seen(
+          line, [&](cv::Point2d p) { return field.to_image_px(p, 0.0); }, kCaptureMm / 2.0);
       if (share < kLineSeen) continue;
       found.lines.emplace_back(line.name);
       found.seen_share += share * line.weight / total_weight_;
@@ -156,8 +155,8 @@ class FieldFinder {
         if (b.position_px <= a.position_px) continue;
         for (std::size_t i = 0; i < places_mm.size(); ++i) {
           for (std::size_t j = i + 1; j < places_mm.size(); ++j) {
-            const double ratio = (places_mm[j] - places_mm[i]) /
-                                 (b.position_px - a.position_px) / mm_per_px;
+            const double ratio =
+                (places_mm[j] - places_mm[i]) / (b.position_px - a.position_px) / mm_per_px;
             if (ratio < kMinScaleRatio || ratio > kMaxScaleRatio) continue;
             spans.push_back({a, b, places_mm[i], places_mm[j], ratio});
           }

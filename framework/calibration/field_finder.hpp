@@ -15,9 +15,9 @@ namespace maggic::calibration {
 
 struct FoundField {
   std::array<cv::Point2d, 4> corners_px;  ///< Top-left, top-right, bottom-right, bottom-left.
-  double lens_k1 = 0.0;         ///< 0: straight lines are straight.
-  double error_px = 0.0;        ///< RMS distance of the lines seen from where they should be.
-  double seen_share = 0.0;      ///< Of the length of all lines of the model, by weight.
+  double lens_k1 = 0.0;                   ///< 0: straight lines are straight.
+  double error_px = 0.0;           ///< RMS distance of the lines seen from where they should be.
+  double seen_share = 0.0;         ///< Of the length of all lines of the model, by weight.
   std::vector<std::string> lines;  ///< Names of the lines seen.
 };
 

@@ -14,10 +14,10 @@ using HueHistogram = std::array<double, kHues>;
 
 /// When two peaks are two colours.
 struct PeakRules {
-  double sigma = 2.0;       ///< Of the smoothing, in hue steps.
-  int min_distance = 6;     ///< Nearer peaks are one colour.
-  double max_valley = 0.6;  ///< Of the smaller peak: a shallower valley does not part two colours.
-  double min_height = 0.08; ///< Of the highest peak: lower ones are none.
+  double sigma = 2.0;        ///< Of the smoothing, in hue steps.
+  int min_distance = 6;      ///< Nearer peaks are one colour.
+  double max_valley = 0.6;   ///< Of the smaller peak: a shallower valley does not part two colours.
+  double min_height = 0.08;  ///< Of the highest peak: lower ones are none.
 };
 
 struct HueClusters {

@@ -18,8 +18,8 @@ constexpr int kMinRegionPx = 12;
 constexpr int kMinPatchPx = 8;
 constexpr double kMinPatchShare = 0.05;  // of its region
 // Two colours of one region lie so far apart in hue, and so few of its pixels lie between.
-constexpr PeakRules kRegionPeaks{.sigma = 2.0, .min_distance = 6, .max_valley = 0.6,
-                                 .min_height = 0.08};
+constexpr PeakRules kRegionPeaks{
+    .sigma = 2.0, .min_distance = 6, .max_valley = 0.6, .min_height = 0.08};
 constexpr double kMaxElongation = 4.5;
 constexpr double kMinFill = 0.7;
 
@@ -50,8 +50,8 @@ void measure(const ChromaFrame& frame, Patch& patch) {
   turns.reserve(patch.pixels.size());
   for (const cv::Point& p : patch.pixels) {
     const cv::Point2d off = cv::Point2d(p) - patch.centroid_px;
-    patch.moments_px2 += cv::Matx22d(off.x * off.x, off.x * off.y, off.x * off.y, off.y * off.y) *
-                         (1.0 / count);
+    patch.moments_px2 +=
+        cv::Matx22d(off.x * off.x, off.x * off.y, off.x * off.y, off.y * off.y) * (1.0 / count);
     const double turned = hue_difference(frame.hue.at<std::uint8_t>(p), patch.hue);
     squares += turned * turned;
     turns.push_back(turned);
@@ -99,7 +99,8 @@ class RegionCutter {
         const int* region_of = regions_.ptr<int>(box.y + y) + box.x;
         const std::uint8_t* hue = frame_.hue.ptr<std::uint8_t>(box.y + y) + box.x;
         for (int x = 0; x < box.width; ++x) {
-          mask_.at<std::uint8_t>(y, x) = region_of[x] == region && clusters.of_hue[hue[x]] == peak ? 255 : 0;
+          mask_.at<std::uint8_t>(y, x) =
+              region_of[x] == region && clusters.of_hue[hue[x]] == peak ? 255 : 0;
         }
       }
       add_parts(box.tl(), std::max<int>(kMinPatchPx, static_cast<int>(kMinPatchShare * area_px)),
@@ -115,10 +116,9 @@ class RegionCutter {
     const int count = cv::connectedComponentsWithStats(mask_, parts_, stats_, centroids_, 4);
     for (int part = 1; part < count; ++part) {
       if (stats_.at<int>(part, cv::CC_STAT_AREA) < min_area_px) continue;
-      const cv::Rect box(stats_.at<int>(part, cv::CC_STAT_LEFT),
-                         stats_.at<int>(part, cv::CC_STAT_TOP),
-                         stats_.at<int>(part, cv::CC_STAT_WIDTH),
-                         stats_.at<int>(part, cv::CC_STAT_HEIGHT));
+      const cv::Rect box(
+          stats_.at<int>(part, cv::CC_STAT_LEFT), stats_.at<int>(part, cv::CC_STAT_TOP),
+          stats_.at<int>(part, cv::CC_STAT_WIDTH), stats_.at<int>(part, cv::CC_STAT_HEIGHT));
       Patch patch;
       for (int y = box.y; y < box.br().y; ++y) {
         for (int x = box.x; x < box.br().x; ++x) {
@@ -149,19 +149,19 @@ std::vector<Patch> find_patches(const ChromaFrame& frame, int gray_threshold) {
   cv::Mat regions;
   cv::Mat stats;
   cv::Mat centroids;
-  const int count = cv::connectedComponentsWithStats(frame.spread > gray_threshold, regions, stats,
-                                                     centroids, 4);
+  const int count =
+      cv::connectedComponentsWithStats(frame.spread > gray_threshold, regions, stats, centroids, 4);
   const double max_area_px = kMaxRegionShare * static_cast<double>(frame.spread.total());
   RegionCutter cutter(frame, regions);
   std::vector<Patch> patches;
   for (int region = 1; region < count; ++region) {
     const int area_px = stats.at<int>(region, cv::CC_STAT_AREA);
     if (area_px < kMinRegionPx || area_px > max_area_px) continue;
-    cutter.cut(region,
-               {stats.at<int>(region, cv::CC_STAT_LEFT), stats.at<int>(region, cv::CC_STAT_TOP),
-                stats.at<int>(region, cv::CC_STAT_WIDTH),
-                stats.at<int>(region, cv::CC_STAT_HEIGHT)},
-               area_px, patches);
+    cutter.cut(
+        region,
+        {stats.at<int>(region, cv::CC_STAT_LEFT), stats.at<int>(region, cv::CC_STAT_TOP),
+         stats.at<int>(region, cv::CC_STAT_WIDTH), stats.at<int>(region, cv::CC_STAT_HEIGHT)},
+        area_px, patches);
   }
   return patches;
 }

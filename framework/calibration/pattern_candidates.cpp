@@ -111,8 +111,8 @@ class CandidateLister {
       area += areas_[p];
       expected_area += layout_->patches[i].expected_area_mm2();
     }
-    const Similarity fit = fit_similarity({centers_.data(), centers_.size()},
-                                          {seen.data(), seen.size()});
+    const Similarity fit =
+        fit_similarity({centers_.data(), centers_.size()}, {seen.data(), seen.size()});
     const double scale = fit.scale();
     if (scale <= 0.0) return;
     const double from_areas = std::sqrt(area / expected_area);
@@ -125,9 +125,9 @@ class CandidateLister {
       const cv::Point2d off = seen[i] - fit.apply(centers_[i]);
       place = std::max(place, std::hypot(off.x, off.y) / (scale * kMaxPlaceErrorMm));
       const double expected = layout_->patches[i].expected_area_mm2() * scale * scale;
-      areas = std::max(areas,
-                       log_ratio(areas_[static_cast<std::size_t>(candidate_.patches[i])], expected) /
-                           std::log(kMaxAreaRatio));
+      areas = std::max(
+          areas, log_ratio(areas_[static_cast<std::size_t>(candidate_.patches[i])], expected) /
+                     std::log(kMaxAreaRatio));
     }
     if (place > 1.0 || areas > 1.0) return;
     candidate_.misfit = std::sqrt((misfit + place * place + areas * areas) / 3.0);

@@ -10,8 +10,8 @@ namespace maggic::calibration {
 namespace {
 
 constexpr std::size_t kMaxLines = 14;
-constexpr double kMaxSlope = 0.36;      // tan 20°
-constexpr double kSamePositionPx = 2.5; // pieces of one line
+constexpr double kMaxSlope = 0.36;       // tan 20°
+constexpr double kSamePositionPx = 2.5;  // pieces of one line
 constexpr double kSameSlope = 0.012;
 
 /// Against the pixels `offset` to either side; beyond the picture its edge goes on.
@@ -22,8 +22,8 @@ void raise_ridges(const cv::Mat& gray, cv::Point offset, cv::Mat& ridges) {
     const std::uint8_t* after = gray.ptr<std::uint8_t>(std::min(y + offset.y, gray.rows - 1));
     std::uint8_t* out = ridges.ptr<std::uint8_t>(y);
     for (int x = 0; x < gray.cols; ++x) {
-      const int higher = std::max(before[std::max(x - offset.x, 0)],
-                                  after[std::min(x + offset.x, gray.cols - 1)]);
+      const int higher =
+          std::max(before[std::max(x - offset.x, 0)], after[std::min(x + offset.x, gray.cols - 1)]);
       out[x] = static_cast<std::uint8_t>(std::max<int>(out[x], here[x] - higher));
     }
   }
@@ -38,7 +38,8 @@ cv::Mat thin(const cv::Mat& ridges, Direction direction, int min_contrast) {
       const int here = ridges.at<std::uint8_t>(y, x);
       if (here < min_contrast) continue;
       const cv::Point p(x, y);
-      if (here >= ridges.at<std::uint8_t>(p - across) && here > ridges.at<std::uint8_t>(p + across)) {
+      if (here >= ridges.at<std::uint8_t>(p - across) &&
+          here > ridges.at<std::uint8_t>(p + across)) {
         crest.at<std::uint8_t>(p) = 255;
       }
     }

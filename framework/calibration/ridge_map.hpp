@@ -23,8 +23,8 @@ struct RidgeMap {
 /// @param gray CV_8UC1. @param max_width_px widest line that counts, at least 1.
 RidgeMap make_ridge_map(const cv::Mat& gray, int max_width_px);
 
-/// A straight line across the whole picture: for an upright one x = position + slope · (y − middle),
-/// for a level one y = position + slope · (x − middle), where middle is the picture's.
+/// A straight line across the whole picture: for an upright one x = position + slope · (y −
+/// middle), for a level one y = position + slope · (x − middle), where middle is the picture's.
 struct SeenLine {
   double position_px = 0.0;
   double slope = 0.0;

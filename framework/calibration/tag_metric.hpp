@@ -7,8 +7,9 @@
 
 namespace maggic::calibration {
 
-/// Offsets in the picture to millimetres: |offset_mm|² = offsetᵀ · mm2_per_px2 · offset. Diagonal and
-/// positive: pixels may be stretched (a camera's picture brought to 16:9), but are never skewed.
+/// Offsets in the picture to millimetres: |offset_mm|² = offsetᵀ · mm2_per_px2 · offset. Diagonal
+/// and positive: pixels may be stretched (a camera's picture brought to 16:9), but are never
+/// skewed.
 struct TagMetric {
   cv::Matx22d mm2_per_px2{1.0, 0.0, 0.0, 1.0};
 

@@ -18,7 +18,7 @@ constexpr std::array<int, 17> kLadder{5,  7,  9,  12, 15, 19,  24,  30, 37,
 constexpr std::size_t kMaxPatches = 1500;
 // Scales of robots agree so far; perspective and a stretched picture spread them.
 constexpr double kScaleTolerance = 0.25;
-constexpr double kBinWidth = 0.06;     // of the vote, in log scale
+constexpr double kBinWidth = 0.06;          // of the vote, in log scale
 constexpr double kPlateauTolerance = 0.06;  // of a level's worth
 constexpr double kTagSizeRatio = 1.8;
 constexpr double kLeftOverCost = 0.3;
@@ -65,8 +65,7 @@ double vote_scale(const std::vector<ThresholdLevel>& levels, const ScaleRange& s
     const double here = votes[i - 1] + votes[i] + votes[i + 1];
     if (here <= best) continue;
     best = here;
-    const double middle = static_cast<double>(i) - 0.5 +
-                          (votes[i + 1] - votes[i - 1]) / here;
+    const double middle = static_cast<double>(i) - 0.5 + (votes[i + 1] - votes[i - 1]) / here;
     scale = scales.min_mm_per_px * std::exp(middle * kBinWidth);
   }
   return scale;

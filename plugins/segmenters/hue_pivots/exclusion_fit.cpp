@@ -9,17 +9,17 @@ namespace maggic::hue_pivots {
 namespace {
 
 constexpr int kHues = 256;
-constexpr double kTail = 0.01;        // of pixels, at either end, that do not count
-constexpr int kSmallestGroup = 12;    // pixels …
+constexpr double kTail = 0.01;           // of pixels, at either end, that do not count
+constexpr int kSmallestGroup = 12;       // pixels …
 constexpr double kSmallestShare = 0.02;  // … and of all that are no tag
-constexpr int kLargestGap = 3;        // hues without a pixel within one group
-constexpr int kMargin = 3;            // round a group, as far as there is room
-constexpr double kClearly = 1.12;     // brighter, stronger: by so much at least
+constexpr int kLargestGap = 3;           // hues without a pixel within one group
+constexpr int kMargin = 3;               // round a group, as far as there is room
+constexpr double kClearly = 1.12;        // brighter, stronger: by so much at least
 // Elsewhere on the field, and later in the day, tags are darker than was seen yet, so cuts by
 // brightness keep to the others.
-constexpr double kCutPlace = 0.25;    // of the way from the others to the tags
-constexpr int kNear = 3;              // hues to either side whose tags a cut looks at too
-constexpr std::size_t kMost = 12;     // rectangles
+constexpr double kCutPlace = 0.25;  // of the way from the others to the tags
+constexpr int kNear = 3;            // hues to either side whose tags a cut looks at too
+constexpr std::size_t kMost = 12;   // rectangles
 
 std::size_t at(int hue) { return static_cast<std::size_t>(((hue % kHues) + kHues) % kHues); }
 
@@ -123,9 +123,8 @@ class ExclusionFitter {
 
  private:
   static bool contains(const FittedExclusion& e, const Hsv& color) {
-    return holds(e.hue, color.hue) && color.value >= e.value.first &&
-           color.value <= e.value.last && color.saturation >= e.saturation.first &&
-           color.saturation <= e.saturation.last;
+    return holds(e.hue, color.hue) && color.value >= e.value.first && color.value <= e.value.last &&
+           color.saturation >= e.saturation.first && color.saturation <= e.saturation.last;
   }
 
   /// How far a group may reach out: half the way to the next tag's hue is that tag's.
@@ -147,14 +146,14 @@ class ExclusionFitter {
     const Span hue{static_cast<int>(at(group.first - 1)), static_cast<int>(at(group.last + 1))};
     const Span near{static_cast<int>(at(group.first - 1 - kNear)),
                     static_cast<int>(at(group.last + 1 + kNear))};
-    const auto range_of = [&](std::span<const Hsv> colors, std::uint8_t Hsv::* channel) {
+    const auto range_of = [&](std::span<const Hsv> colors, std::uint8_t Hsv::*channel) {
       std::vector<std::uint8_t> values;
       for (const Hsv& color : colors) {
         if (holds(near, color.hue)) values.push_back(color.*channel);
       }
       return middle_of(values);
     };
-    for (std::uint8_t Hsv::* channel : {&Hsv::value, &Hsv::saturation}) {
+    for (std::uint8_t Hsv::*channel : {&Hsv::value, &Hsv::saturation}) {
       const auto other = range_of(others_, channel);
       const auto tag = range_of(tags_, channel);
       if (!other || !tag) continue;

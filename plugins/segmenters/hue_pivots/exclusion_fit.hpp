@@ -24,8 +24,8 @@ struct Span {
 
 struct FittedExclusion {
   Span hue;
-  Span value;       ///< 0 … 255: any.
-  Span saturation;  ///< 0 … 255: any.
+  Span value;          ///< 0 … 255: any.
+  Span saturation;     ///< 0 … 255: any.
   double share = 0.0;  ///< Of the pixels that are no tag and would have been taken for one.
 };
 

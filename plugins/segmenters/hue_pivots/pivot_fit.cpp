@@ -9,13 +9,13 @@ namespace maggic::hue_pivots {
 namespace {
 
 constexpr int kHues = 256;
-constexpr double kTail = 0.02;           // of a colour's pixels, at either end, that do not count
-constexpr double kEquallyGood = 1e-3;    // shares of pixels lost that make no difference
-constexpr double kWorthOfImagined = 0.1; // of a pixel under other light against one that was seen
-constexpr double kOverlapShare = 0.03;   // more than that is worth a word
-constexpr double kKeptOfTag = 0.5;       // a tag with fewer of its pixels is lost
+constexpr double kTail = 0.02;            // of a colour's pixels, at either end, that do not count
+constexpr double kEquallyGood = 1e-3;     // shares of pixels lost that make no difference
+constexpr double kWorthOfImagined = 0.1;  // of a pixel under other light against one that was seen
+constexpr double kOverlapShare = 0.03;    // more than that is worth a word
+constexpr double kKeptOfTag = 0.5;        // a tag with fewer of its pixels is lost
 constexpr int kLongestMove = 64;
-constexpr int kRoomForUnseen = 4;        // between a seen colour's end and an unseen one's border
+constexpr int kRoomForUnseen = 4;  // between a seen colour's end and an unseen one's border
 
 using Histogram = std::array<double, kHues>;
 
@@ -74,8 +74,8 @@ void find_ends(Cluster& cluster) {
 
 /// A border lies after its hue: `hue` itself belongs to the colour before it.
 struct Border {
-  int hue = 0;       ///< Unrolled from the first of the two colours.
-  double loss = 0.0; ///< Largest share of either colour on the wrong side.
+  int hue = 0;        ///< Unrolled from the first of the two colours.
+  double loss = 0.0;  ///< Largest share of either colour on the wrong side.
 };
 
 /// Between two neighbours, `a` before `b`: where fewest pixels of either are lost, and among such
@@ -101,8 +101,8 @@ Border place_border(const Cluster& a, const Cluster& b) {
     }
     lost_of_b += b.share[at(hue)];
     imagined_lost_of_b += b.imagined[at(hue)];
-    const double loss = lost_of_a + lost_of_b +
-                        kWorthOfImagined * (imagined_lost_of_a + imagined_lost_of_b);
+    const double loss =
+        lost_of_a + lost_of_b + kWorthOfImagined * (imagined_lost_of_a + imagined_lost_of_b);
     if (loss < least - kEquallyGood) {
       first = hue;
       least = loss;
@@ -130,8 +130,8 @@ std::vector<double> balance(const std::vector<Cluster>& clusters,
     for (std::size_t i = 0; i < count; ++i) {
       const double previous = i > 0 ? pivots[i - 1] : pivots[count - 1] - kHues;
       const double next = i + 1 < count ? pivots[i + 1] : pivots[0] + kHues;
-      const double wanted = (2.0 * before(i) - previous) + (2.0 * borders[i] - next) +
-                            kPull * clusters[i].middle;
+      const double wanted =
+          (2.0 * before(i) - previous) + (2.0 * borders[i] - next) + kPull * clusters[i].middle;
       pivots[i] = std::clamp(wanted / (2.0 + kPull), before(i) + 1.0, borders[i] - 1.0);
     }
   }
@@ -253,8 +253,7 @@ class Fitter {
       const double gap = std::max(0, end_of_b - a.high);
       const double off = std::abs((pivot_a + pivot_b) / 2.0 - borders_[i]);
       if (off <= std::max(1.0, 0.25 * gap)) continue;
-      const double reach =
-          std::max(1.0, std::min(borders_[i] - pivot_a, pivot_b - borders_[i]));
+      const double reach = std::max(1.0, std::min(borders_[i] - pivot_a, pivot_b - borders_[i]));
       const int below = static_cast<int>(std::floor(borders_[i] - reach + 0.5));
       pivots_[a.label].push_back(below);
       pivots_[b.label].push_back(static_cast<int>(std::lround(2.0 * borders_[i])) - below);

@@ -28,16 +28,15 @@ class Grower {
 
   void grow(FittedBox& fitted) const {
     const auto own = static_cast<double>(std::ranges::count(labels_, fitted.label));
-    const std::size_t allowed = count_foreign(fitted.box, fitted.label) +
-                                static_cast<std::size_t>(kForeignAllowed * own);
+    const std::size_t allowed =
+        count_foreign(fitted.box, fitted.label) + static_cast<std::size_t>(kForeignAllowed * own);
     std::array<bool, 6> stopped{};
     for (bool grew = true; grew;) {
       grew = false;
       for (std::size_t face = 0; face < 6; ++face) {
         if (stopped[face]) continue;
         std::array<Side, 3> larger = fitted.box;
-        if (!push_out(face, fitted.seen, larger) ||
-            count_foreign(larger, fitted.label) > allowed) {
+        if (!push_out(face, fitted.seen, larger) || count_foreign(larger, fitted.label) > allowed) {
           stopped[face] = true;
           continue;
         }

@@ -311,12 +311,54 @@ class Calibrator {
   void leave_out_strays() {
     const std::string plain = yaml_for(threshold_);
     BuiltPipeline trial = build_pipeline(laid_over(document_, plain), registry_, silent_);
-    const auto strays = find_strays(*trial.pipeline, frames_, ball_, pattern_);
+    const auto strays = find_strays(*trial.pipeline, frames_, ball_, pattern_, identities());
     if (std::ranges::all_of(strays, [](const auto& of_frame) { return of_frame.empty(); })) return;
     const auto clean = std::make_unique<SampleStore>(*store_);
     store_->add_strays(chroma_, strays);
-    const double before = score_by_pattern(*trial.pipeline, frames_).value();
-    if (try_out(yaml_for(threshold_), frames_).value() < before - kAsGood) *store_ = *clean;
+    // Robots that are none may go; only those that are there must stay.
+    const double before = known_robots(*trial.pipeline);
+    BuiltPipeline without =
+        build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_, silent_);
+    if (known_robots(*without.pipeline) < (1.0 - kAsGood) * before) *store_ = *clean;
+  }
+
+  /// Robots of known identities, and balls where there is one, in all frames.
+  double known_robots(Pipeline& pipeline) const {
+    const std::set<Identity> known = identities();
+    double count = 0.0;
+    score_by_pattern(pipeline, frames_, [&](const FrameResult& result) {
+      for (const RobotDetection& robot : result.detections.robots) {
+        const Label team =
+            robot.team == Team::kBlue ? pattern_.blue_team_color : pattern_.yellow_team_color;
+        const Identity identity{team, {robot.player_colors.begin(), robot.player_colors.end()}};
+        if (known.contains(identity)) count += 1.0;
+      }
+      const std::optional<Patch>& ball = ball_.by_frame[result.frame.sequence];
+      const auto& seen = result.detections.ball;
+      if (ball && seen && cv::norm(ball->centroid_px - seen->centroid_px) < std::sqrt(ball->area_px)) {
+        count += 1.0;
+      }
+    });
+    return count;
+  }
+
+  /// Those the naming found.
+  std::set<Identity> identities() const {
+    std::set<Identity> known;
+    for (const NamedFrame& frame : naming_.frames) {
+      for (const NamedRobot& robot : frame.robots) {
+        const TagLayout& layout =
+            pattern_.layouts[static_cast<std::size_t>(robot.candidate->layout)];
+        Identity identity{robot.team, {}};
+        for (std::size_t i = 0; i < layout.patches.size(); ++i) {
+          if (layout.patches[i].role == PatchRole::kTeam) continue;
+          const auto patch = static_cast<std::size_t>(robot.candidate->patches[i]);
+          identity.second.push_back(frame.label_of_patch[patch]);
+        }
+        known.insert(identity);
+      }
+    }
+    return known;
   }
 
   void write_down() {

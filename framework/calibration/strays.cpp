@@ -14,17 +14,18 @@ constexpr double kMinPatchRatio = 0.3;
 constexpr double kMaxPatchRatio = 2.0;
 constexpr double kMinBallRatio = 0.25;
 constexpr double kMaxBallRatio = 2.5;
-// Pieces of lines and cables have the area, but not the shape.
+// Pieces of lines and cables have the area, but not the shape. Trackers take even half a ball.
 constexpr double kMaxTagElongation = 2.8;
-constexpr double kMaxBallElongation = 1.6;
-constexpr double kMinFill = 0.85;
+constexpr double kMaxBallElongation = 2.2;
+constexpr double kMinTagFill = 0.85;
+constexpr double kMinBallFill = 0.7;
 constexpr double kBesideFieldMm = 50.0;
 constexpr std::chrono::seconds kApart{10};  // longer than any tracker carries a motion on
 
 class StrayFinder {
  public:
-  StrayFinder(Pipeline& pipeline, const TrackedPattern& pattern)
-      : pipeline_(pipeline), pattern_(pattern) {}
+  StrayFinder(Pipeline& pipeline, const TrackedPattern& pattern, const std::set<Identity>& known)
+      : pipeline_(pipeline), pattern_(pattern), known_(known) {}
 
   std::vector<Stray> look_at(const cv::Mat& bgr, int number, const std::optional<Patch>& ball) {
     result_.frame.sequence = static_cast<std::uint64_t>(number);
@@ -38,10 +39,20 @@ class StrayFinder {
         strays.push_back({blob.centroid_px, static_cast<double>(blob.area_px)});
       }
     }
+    for (const RobotDetection& robot : result_.detections.robots) {
+      if (robot.id == kUnknownId || is_known(robot)) continue;
+      for (const TagSighting& tag : robot.tags) strays.push_back({tag.centroid_px, tag.area_px});
+    }
     return strays;
   }
 
  private:
+  bool is_known(const RobotDetection& robot) const {
+    const Label team =
+        robot.team == Team::kBlue ? pattern_.blue_team_color : pattern_.yellow_team_color;
+    return known_.contains({team, {robot.player_colors.begin(), robot.player_colors.end()}});
+  }
+
   tracking::MetricBlob metric(const Blob& blob, double height_mm) const {
     return tracking::to_metric(blob, 0, *pipeline_.field(), height_mm);
   }
@@ -59,7 +70,7 @@ class StrayFinder {
       return false;
     }
     const tracking::MetricBlob seen = metric(blob, pipeline_.field()->robot_height_mm());
-    if (seen.elongation() > kMaxTagElongation || seen.fill() < kMinFill) return false;
+    if (seen.elongation() > kMaxTagElongation || seen.fill() < kMinTagFill) return false;
     const bool has_size = std::ranges::any_of(pattern_.layouts, [&](const TagLayout& layout) {
       return std::ranges::any_of(layout.patches, [&](const TagPatch& patch) {
         const double ratio = seen.area_mm2 / patch.expected_area_mm2();
@@ -74,7 +85,7 @@ class StrayFinder {
     if (blob.label != pattern_.ball_color) return false;
     const double disc_mm2 = std::numbers::pi / 4.0 * std::pow(pattern_.ball_diameter_mm, 2);
     const tracking::MetricBlob seen = metric(blob, pipeline_.field()->ball_height_mm());
-    if (seen.elongation() > kMaxBallElongation || seen.fill() < kMinFill) return false;
+    if (seen.elongation() > kMaxBallElongation || seen.fill() < kMinBallFill) return false;
     const double ratio = seen.area_mm2 / disc_mm2;
     if (ratio < kMinBallRatio || ratio > kMaxBallRatio) return false;
     const double radius_px = std::sqrt(ball.area_px / std::numbers::pi);
@@ -83,7 +94,7 @@ class StrayFinder {
 
   bool is_on_robot(const Blob& blob) const {
     return std::ranges::any_of(result_.detections.robots, [&](const RobotDetection& robot) {
-      if (robot.id == kUnknownId) return false;
+      if (robot.id == kUnknownId || !is_known(robot)) return false;
       return std::ranges::any_of(robot.tags, [&](const TagSighting& tag) {
         return cv::norm(tag.centroid_px - blob.centroid_px) < std::sqrt(tag.area_px);
       });
@@ -92,6 +103,7 @@ class StrayFinder {
 
   Pipeline& pipeline_;
   const TrackedPattern& pattern_;
+  const std::set<Identity>& known_;
   FrameResult result_;
 };
 
@@ -99,8 +111,9 @@ class StrayFinder {
 
 std::vector<std::vector<Stray>> find_strays(Pipeline& pipeline, std::span<const cv::Mat> frames,
                                             const BallSightings& ball,
-                                            const TrackedPattern& pattern) {
-  StrayFinder finder(pipeline, pattern);
+                                            const TrackedPattern& pattern,
+                                            const std::set<Identity>& known) {
+  StrayFinder finder(pipeline, pattern, known);
   std::vector<std::vector<Stray>> strays;
   for (std::size_t f = 0; f < frames.size(); ++f) {
     strays.push_back(finder.look_at(frames[f], static_cast<int>(f), ball.by_frame[f]));

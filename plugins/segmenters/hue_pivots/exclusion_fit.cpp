@@ -35,20 +35,6 @@ bool holds(const Span& hues, int hue) {
   return static_cast<int>(at(hue - hues.first)) <= static_cast<int>(at(hues.last - hues.first));
 }
 
-/// Hues that tags have.
-std::array<bool, kHues> hues_of(std::span<const Hsv> tags) {
-  std::array<int, kHues> count{};
-  for (const Hsv& tag : tags) ++count[tag.hue];
-  // A few stray pixels do not make a hue a tag's.
-  const double least = 0.0008 * static_cast<double>(tags.size());
-  std::array<bool, kHues> taken{};
-  for (int hue = 0; hue < kHues; ++hue) {
-    const int near = count[at(hue - 1)] + count[at(hue)] + count[at(hue + 1)];
-    taken[at(hue)] = near > least;
-  }
-  return taken;
-}
-
 /// Stretches of hue in which pixels lie whose hue is, or is not, a tag's.
 std::vector<Span> groups_of(std::span<const Hsv> others, const std::array<bool, kHues>& taken,
                             bool among_tags) {
@@ -99,7 +85,7 @@ std::optional<Span> side_of(const Span& other, const Span& tag) {
 class ExclusionFitter {
  public:
   ExclusionFitter(std::span<const Hsv> tags, std::span<const Hsv> others)
-      : tags_(tags), others_(others), taken_(hues_of(tags)) {}
+      : tags_(tags), others_(others), taken_(hues_near(tags, 0)) {}
 
   ExclusionFit fit() {
     for (Span group : groups_of(others_, taken_, false)) {
@@ -173,6 +159,18 @@ class ExclusionFitter {
 };
 
 }  // namespace
+
+std::array<bool, 256> hues_near(std::span<const Hsv> tags, int reach) {
+  std::array<int, kHues> count{};
+  for (const Hsv& tag : tags) ++count[tag.hue];
+  const double least = 0.0008 * static_cast<double>(tags.size());
+  std::array<bool, kHues> near{};
+  for (int hue = 0; hue < kHues; ++hue) {
+    if (count[at(hue - 1)] + count[at(hue)] + count[at(hue + 1)] <= least) continue;
+    for (int i = -reach; i <= reach; ++i) near[at(hue + i)] = true;
+  }
+  return near;
+}
 
 ExclusionFit fit_exclusions(std::span<const Hsv> tags, std::span<const Hsv> others) {
   return ExclusionFitter(tags, others).fit();

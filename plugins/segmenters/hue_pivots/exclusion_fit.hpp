@@ -1,6 +1,8 @@
 #pragma once
 /// Rectangles to be left out: what looks like a tag's colour, and is none.
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +35,9 @@ struct ExclusionFit {
   std::vector<FittedExclusion> exclusions;
   double left_over = 0.0;  ///< Share of such pixels that nothing tells from a tag.
 };
+
+/// For every hue whether tags have it, or one within `reach` of it. A few stray pixels do not count.
+std::array<bool, 256> hues_near(std::span<const Hsv> tags, int reach);
 
 /// Leaves out hues no tag has; where hues are shared, what is clearly darker, brighter, paler or
 /// stronger than every tag of that hue.

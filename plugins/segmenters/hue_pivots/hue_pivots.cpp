@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -239,12 +240,10 @@ class HuePivots final : public maggic::ColorSegmenter {
     const std::vector<std::uint8_t> hues = hues_of(colors);
     const std::vector<std::uint8_t> imagined =
         hues_of(of_original ? samples.imagined.original : samples.imagined.normalized);
-    return describe_fit(
-               maggic::hue_pivots::fit_pivots(hues, samples.labels, samples.tags,
-                                              {imagined, samples.imagined.labels},
-                                              pivots_or_defaults(samples.palette)),
-               samples) +
-           describe_exclusions(colors, hues, samples);
+    const auto fit = maggic::hue_pivots::fit_pivots(hues, samples.labels, samples.tags,
+                                                    {imagined, samples.imagined.labels},
+                                                    pivots_or_defaults(samples.palette));
+    return describe_fit(fit, samples) + describe_exclusions(fit, colors, hues, samples);
   }
 
  private:
@@ -297,11 +296,13 @@ class HuePivots final : public maggic::ColorSegmenter {
   }
 
   /// YAML of what has to be left out, with the pivots as fitted.
-  std::string describe_exclusions(const ColorBatch& colors, const std::vector<std::uint8_t>& hues,
+  std::string describe_exclusions(const maggic::hue_pivots::PivotFit& pivots,
+                                  const ColorBatch& colors, const std::vector<std::uint8_t>& hues,
                                   const maggic::ColorSamples& samples) const {
     using maggic::hue_pivots::Hsv;
     std::vector<Hsv> tags;
     std::vector<Hsv> others;
+    std::vector<Hsv> background;
     for (std::size_t i = 0; i < colors.size(); ++i) {
       const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
       const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
@@ -310,8 +311,28 @@ class HuePivots final : public maggic::ColorSegmenter {
         tags.push_back(hsv);
         continue;
       }
-      if (samples.tags[i] == maggic::kStrayTag && spread > 0) others.push_back(hsv);
+      if (spread == 0) continue;
+      if (samples.tags[i] == maggic::kStrayTag) {
+        others.push_back(hsv);
+      } else if (!is_gray(samples, i)) {
+        background.push_back(hsv);
+      }
     }
+    // What else is coloured and far from every colour to be found makes trouble once something cuts
+    // a piece of a tag's size out of it.
+    std::array<bool, kHues> near = maggic::hue_pivots::hues_near(tags, kFarFromTags);
+    for (const auto& color : pivots.colors) {
+      for (int hue = 0; hue < kHues; ++hue) {
+        const auto is_near = [&](int pivot) {
+          return distance_on_circle(hue, pivot) <= kFarFromTags;
+        };
+        if (color.tags == 0 && std::ranges::any_of(color.pivots, is_near)) {
+          near[static_cast<std::size_t>(hue)] = true;
+        }
+      }
+    }
+    std::ranges::copy_if(background, std::back_inserter(others),
+                         [&](const Hsv& hsv) { return !near[hsv.hue]; });
     const auto fit = maggic::hue_pivots::fit_exclusions(tags, others);
     std::string yaml;
     if (!fit.exclusions.empty()) {
@@ -328,6 +349,15 @@ class HuePivots final : public maggic::ColorSegmenter {
       yaml += fmt::format("}}   # {:.0f} % of that\n", 100.0 * exclusion.share);
     }
     return yaml;
+  }
+
+  static constexpr int kFarFromTags = 14;
+
+  static bool is_gray(const maggic::ColorSamples& samples, std::size_t i) {
+    const ColorBatch& colors = samples.normalized;
+    return largest(colors.b[i], colors.g[i], colors.r[i]) -
+               smallest(colors.b[i], colors.g[i], colors.r[i]) <=
+           samples.gray_threshold.best;
   }
 
   /// As OpenCV has it.

@@ -119,6 +119,7 @@ std::vector<double> balance(const std::vector<Cluster>& clusters,
                             const std::vector<double>& borders) {
   const std::size_t count = clusters.size();
   std::vector<double> pivots;
+  pivots.reserve(count);
   for (const Cluster& cluster : clusters) pivots.push_back(cluster.middle);
   if (count < 2) return pivots;
   const auto before = [&](std::size_t i) {  // border between i - 1 and i, unrolled for i

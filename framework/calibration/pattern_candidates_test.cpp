@@ -61,6 +61,23 @@ TEST(PatternCandidates, AKnownSizeLeavesOutEveryOther) {
   }
 }
 
+TEST(PatternCandidates, AKnownSizeLeavesOutPatchesTooFarApartForIt) {
+  const auto layouts = two_tag();
+  const std::vector<Patch> patches{tags::patch_at({0, 0}, 590, 0), tags::patch_at({23, 0}, 590, 0)};
+  EXPECT_THAT(list_candidates(patches, layouts, std::nullopt), SizeIs(2));
+  EXPECT_THAT(list_candidates(patches, layouts, TagMetric::of_scale(2.5)), IsEmpty());
+}
+
+TEST(PatternCandidates, APatchMayLieALittleOffItsPlaceButNotFar) {
+  const auto layouts = three_tag();
+  auto patches = patches_of(layouts[0], {{100, 100}, 0.0});
+  const double mm = 0.4;
+  patches[2].centroid_px += cv::Point2d(6.0 * mm, 4.0 * mm);
+  EXPECT_THAT(list_candidates(patches, layouts, std::nullopt), SizeIs(1));
+  patches[2].centroid_px += cv::Point2d(0.0, 35.0 * mm);
+  EXPECT_THAT(list_candidates(patches, layouts, std::nullopt), IsEmpty());
+}
+
 TEST(PatternCandidates, InAStretchedPictureTheMetricTakesTheStretchOut) {
   const auto layouts = three_tag();
   const TagMetric metric{{4.0, 0.0, 0.0, 9.0}};

@@ -85,9 +85,19 @@ TEST_F(BallSearchTest, ARedTagWhoseRobotWasNotReadIsNotTheBallEither) {
   expect_the_ball();
 }
 
-TEST_F(BallSearchTest, APaleBrownSquareOfItsHueIsNotTheBall) {
-  roll_ball();
-  add(patch_at({300, 100}, kBallPx, kOrangeHue + 7.0, 45));
+TEST_F(BallSearchTest, APaleBrownSquareOfTheVeryHueIsNotTheBall) {
+  const Patch ball = patch_at({100, 200}, kBallPx, kOrangeHue + 9.0, 190);
+  add(ball);
+  add(patch_at({300, 100}, kBallPx, kOrangeHue, 45));
+  for (const std::optional<Patch>& seen : find().by_frame) {
+    ASSERT_TRUE(seen.has_value());
+    EXPECT_EQ(seen->centroid_px, ball.centroid_px);
+  }
+}
+
+TEST_F(BallSearchTest, WhatMovesIsRatherTheBallThanWhatNeverDoes) {
+  roll_ball(kOrangeHue + 9.0);
+  add(patch_at({300, 100}, kBallPx, kOrangeHue, 190));
   expect_the_ball();
 }
 

@@ -100,6 +100,14 @@ TEST(SeenLines, AreLongAndOfContrastOrNone) {
   EXPECT_THAT(find_lines(ridges, Direction::kUpright, 20, 40.0), SizeIs(1));
 }
 
+TEST(SeenLines, ThatLeanByMoreThanTwentyDegreesAreOfNeitherDirection) {
+  cv::Mat gray = floor_of();
+  draw_upright(gray, 100.0, 0.6, 3.0);
+  const RidgeMap ridges = make_ridge_map(gray, 8);
+  EXPECT_THAT(find_lines(ridges, Direction::kUpright, 20, 60.0), IsEmpty());
+  EXPECT_THAT(find_lines(ridges, Direction::kLevel, 20, 60.0), IsEmpty());
+}
+
 TEST(SeenLines, APictureOfOnePixelHasNone) {
   const RidgeMap ridges = make_ridge_map(cv::Mat(1, 1, CV_8UC1, cv::Scalar(255)), 8);
   EXPECT_THAT(find_lines(ridges, Direction::kLevel, 1, 4.0), IsEmpty());

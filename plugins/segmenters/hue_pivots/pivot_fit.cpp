@@ -298,10 +298,10 @@ class Fitter {
           const int up = static_cast<int>(at(hue - pivot));  // the way round from the pivot
           const int ahead = static_cast<int>(at(cluster.high - pivot));
           const int behind = static_cast<int>(at(pivot - cluster.low));
-          const int down = kHues - up;
+          const int down = static_cast<int>(at(pivot - hue));
           const bool hits_above = ahead < kHues / 2 && up / 2 <= ahead + kRoomForUnseen;
           const bool hits_below = behind < kHues / 2 && down / 2 <= behind + kRoomForUnseen;
-          return hits_above || hits_below;
+          return up == 0 || hits_above || hits_below;
         });
       });
       if (!in_the_way) kept.push_back(hue);

@@ -203,6 +203,14 @@ TEST(PivotFit, AColourNotSeenGoesWhenItIsInTheWay) {
   EXPECT_EQ(tags.worst_share(pivots_of(fit)), 1.0);
 }
 
+TEST(PivotFit, AColourNotSeenGoesWhenASeenOnesPivotComesToLieOnIts) {
+  Tags tags = Tags().tag(kYellow, 58, 69).tag(kBlue, 144, 170).tag(kRed, 249, 250);
+  const PivotFit alone = tags.fit();
+  const std::vector<int> red = color_of(alone, kRed).pivots;
+  ASSERT_THAT(red, SizeIs(1));
+  EXPECT_THAT(color_of(tags.fit({{kOrange, red}}), kOrange).pivots, IsEmpty());
+}
+
 TEST(PivotFit, EveryTagCountsAlikeWhateverItsSize) {
   // Orange is one tag of 1 pixel a hue, yellow one of 100: the border is in the middle all the
   // same.

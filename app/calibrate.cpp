@@ -17,6 +17,7 @@
 #include "app/pipeline_options.hpp"
 #include "maggic/atomic_file.hpp"
 #include "maggic/calibration.hpp"
+#include "maggic/field.hpp"
 
 namespace maggic::app {
 namespace {
@@ -35,6 +36,17 @@ cv::Point2d corner_from(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) number_from("", text);  // says what is expected
   return {number_from(text.substr(0, comma), text), number_from(text.substr(comma + 1), text)};
+}
+
+/// Says what is wrong with corners where they were given, before anything runs.
+void check_corners(const std::array<cv::Point2d, 4>& corners_px) {
+  FieldParameters field;
+  field.corners_px.assign(corners_px.begin(), corners_px.end());
+  try {
+    Field(field, {1, 1});
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--corners: {}", error.what()));
+  }
 }
 
 /// A calibration may be replaced by a better one, nothing else that is in use may.
@@ -97,6 +109,7 @@ ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& l
     for (std::size_t i = 0; i < 4; ++i) {
       (*calibration.corners_px)[i] = corner_from(options.corners[i]);
     }
+    check_corners(*calibration.corners_px);
   }
   calibration.gray_threshold = options.gray_threshold;
 

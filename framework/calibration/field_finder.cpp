@@ -23,6 +23,9 @@ constexpr double kMaxStretchRatio = 1.2;  // between both axes, beyond what the 
 constexpr double kCaptureMm = 8.0;        // a line this far from its place supports a hypothesis
 constexpr double kLineSeen = 0.5;         // of its points, for the line to count as seen
 constexpr double kMinSeenShare = 0.4;
+// Noise has crests everywhere; they lie off by 0.58 of the reach (evenly spread, RMS), lines by
+// less.
+constexpr double kMostlyChance = 0.4;
 constexpr double kMinLensGain = 0.93;  // a lens has to lower the error to this, at least
 
 using Corners = std::array<cv::Point2d, 4>;
@@ -77,6 +80,7 @@ class FieldFinder {
     found.corners_px = chosen.corners;
     found.lens_k1 = chosen.k1;
     found.error_px = error_px(chosen);
+    if (found.error_px > kMostlyChance * error_reach_px()) return std::nullopt;
     const Field field = to_field(chosen);
     for (const ModelLine& line : lines_) {
       const double share = share_seen(
@@ -345,9 +349,12 @@ class FieldFinder {
     }
   }
 
+  /// How far from its place a line is looked for when the fit is judged.
+  double error_reach_px() const { return std::max(3.0, 10.0 / mm_per_px_); }
+
   double error_px(const Estimate& estimate) const {
     const Field field = to_field(estimate);
-    const std::vector<Residual> lines = residuals(estimate, std::max(3.0, 10.0 / mm_per_px_));
+    const std::vector<Residual> lines = residuals(estimate, error_reach_px());
     double squares = 0.0;
     for (const Residual& line : lines) squares += std::pow(distance_px(field, line), 2);
     return lines.empty() ? 1e9 : std::sqrt(squares / static_cast<double>(lines.size()));

@@ -11,8 +11,8 @@ namespace {
 
 // What one known distance weighs against the wish for an isotropic picture: a stretch is believed
 // once some robots point in different directions.
-constexpr double kIsotropyWeight = 1.5;
-constexpr double kIsotropyShare = 0.05;  // … and at least so much of all distances
+constexpr double kIsotropyWeight = 0.75;
+constexpr double kIsotropyShare = 0.02;  // … and at least so much of all distances
 
 double median_mm_per_px(std::span<const KnownDistance> distances) {
   std::vector<double> scales;

@@ -119,6 +119,7 @@ std::vector<double> balance(const std::vector<Cluster>& clusters,
                             const std::vector<double>& borders) {
   const std::size_t count = clusters.size();
   std::vector<double> pivots;
+  pivots.reserve(count);
   for (const Cluster& cluster : clusters) pivots.push_back(cluster.middle);
   if (count < 2) return pivots;
   const auto before = [&](std::size_t i) {  // border between i - 1 and i, unrolled for i
@@ -297,10 +298,10 @@ class Fitter {
           const int up = static_cast<int>(at(hue - pivot));  // the way round from the pivot
           const int ahead = static_cast<int>(at(cluster.high - pivot));
           const int behind = static_cast<int>(at(pivot - cluster.low));
-          const int down = kHues - up;
+          const int down = static_cast<int>(at(pivot - hue));
           const bool hits_above = ahead < kHues / 2 && up / 2 <= ahead + kRoomForUnseen;
           const bool hits_below = behind < kHues / 2 && down / 2 <= behind + kRoomForUnseen;
-          return hits_above || hits_below;
+          return up == 0 || hits_above || hits_below;
         });
       });
       if (!in_the_way) kept.push_back(hue);

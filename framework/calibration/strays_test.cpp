@@ -1,5 +1,7 @@
 #include "calibration/strays.hpp"
 
+#include <set>
+
 #include <gmock/gmock.h>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -39,12 +41,14 @@ struct PureSegmenter : ImageSegmenter {
 /// Says of every frame that one robot is where it is told.
 struct OneRobotTracker : Tracker {
   std::optional<cv::Point2d> tag_px;
+  Label player = label("red");
   void track(const TrackerInput&, Detections& out) override {
     out.robots.clear();
     out.ball.reset();
     if (!tag_px) return;
     RobotDetection robot;
     robot.id = 0;
+    robot.player_colors.push_back(player);
     robot.tags.push_back({.label = label("blue"), .centroid_px = *tag_px, .area_px = 288});
     out.robots.push_back(robot);
   }
@@ -80,12 +84,13 @@ class StraysTest : public ::testing::Test {
     const std::vector<cv::Mat> frames{picture_};
     BallSightings sightings;
     sightings.by_frame = {ball};
-    return find_strays(*pipeline_, frames, sightings, pattern_).at(0);
+    return find_strays(*pipeline_, frames, sightings, pattern_, known_).at(0);
   }
 
   testing::RecordingReporter reporter_;
   cv::Mat picture_;
   TrackedPattern pattern_;
+  const std::set<Identity> known_{{label("blue"), {label("red")}}};
   OneRobotTracker* tracker_ = nullptr;
   std::unique_ptr<Pipeline> pipeline_;
 };
@@ -102,6 +107,12 @@ TEST_F(StraysTest, TheTagOfARobotIsNone) {
   draw_tag({100, 100});
   tracker_->tag_px = cv::Point2d(105.5, 111.5);
   EXPECT_THAT(find(), IsEmpty());
+}
+
+TEST_F(StraysTest, ARobotNobodyHasSeenIsMadeOfScraps) {
+  tracker_->tag_px = cv::Point2d(105.5, 111.5);
+  tracker_->player = label("magenta");
+  EXPECT_THAT(find(), SizeIs(1));
 }
 
 TEST_F(StraysTest, WhatHasNoTagsSizeOrShapeIsNone) {
@@ -134,7 +145,7 @@ TEST_F(StraysTest, EmptyFramesHaveNone) {
   const std::vector<cv::Mat> broken(1);
   BallSightings none;
   none.by_frame.resize(1);
-  EXPECT_THAT(find_strays(*pipeline_, broken, none, pattern_), ElementsAre(IsEmpty()));
+  EXPECT_THAT(find_strays(*pipeline_, broken, none, pattern_, known_), ElementsAre(IsEmpty()));
 }
 
 }  // namespace

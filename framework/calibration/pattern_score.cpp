@@ -24,10 +24,10 @@ PatternScore score_by_pattern(Pipeline& pipeline, std::span<const cv::Mat> frame
   const std::vector<TagLayout> layouts = pattern ? pattern->layouts : std::vector<TagLayout>{};
   PatternScore score;
   FrameResult result;
-  for (const cv::Mat& bgr : frames) {
-    result.frame.sequence = score.frames;
-    result.frame.captured = kApart * static_cast<int>(score.frames + 1);
-    result.frame.bgr = bgr;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    result.frame.sequence = i;
+    result.frame.captured = kApart * static_cast<int>(i + 1);
+    result.frame.bgr = frames[i];
     if (pipeline.process(result) != FrameOutcome::kProcessed) continue;
     ++score.frames;
     for (const RobotDetection& robot : result.detections.robots) {

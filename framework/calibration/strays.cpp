@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "calibration/pattern_score.hpp"
 #include "tracking/metric_blob.hpp"
 
 namespace maggic::calibration {
@@ -20,26 +21,22 @@ constexpr double kMaxBallElongation = 2.2;
 constexpr double kMinTagFill = 0.85;
 constexpr double kMinBallFill = 0.7;
 constexpr double kBesideFieldMm = 50.0;
-constexpr std::chrono::seconds kApart{10};  // longer than any tracker carries a motion on
 
 class StrayFinder {
  public:
   StrayFinder(Pipeline& pipeline, const TrackedPattern& pattern, const std::set<Identity>& known)
       : pipeline_(pipeline), pattern_(pattern), known_(known) {}
 
-  std::vector<Stray> look_at(const cv::Mat& bgr, int number, const std::optional<Patch>& ball) {
-    result_.frame.sequence = static_cast<std::uint64_t>(number);
-    result_.frame.captured = kApart * (number + 1);
-    result_.frame.bgr = bgr;
+  std::vector<Stray> look_at(const FrameResult& result, const std::optional<Patch>& ball) {
+    result_ = &result;
     std::vector<Stray> strays;
-    if (pipeline_.process(result_) != FrameOutcome::kProcessed) return strays;
-    for (const Blob& blob : result_.blobs) {
+    for (const Blob& blob : result.blobs) {
       if (!is_on_field(blob)) continue;
       if (is_stray_tag(blob) || (ball && is_stray_ball(blob, *ball))) {
         strays.push_back({blob.centroid_px, static_cast<double>(blob.area_px)});
       }
     }
-    for (const RobotDetection& robot : result_.detections.robots) {
+    for (const RobotDetection& robot : result_->detections.robots) {
       if (robot.id == kUnknownId || is_known(robot)) continue;
       for (const TagSighting& tag : robot.tags) strays.push_back({tag.centroid_px, tag.area_px});
     }
@@ -93,7 +90,7 @@ class StrayFinder {
   }
 
   bool is_on_robot(const Blob& blob) const {
-    return std::ranges::any_of(result_.detections.robots, [&](const RobotDetection& robot) {
+    return std::ranges::any_of(result_->detections.robots, [&](const RobotDetection& robot) {
       if (robot.id == kUnknownId || !is_known(robot)) return false;
       return std::ranges::any_of(robot.tags, [&](const TagSighting& tag) {
         return cv::norm(tag.centroid_px - blob.centroid_px) < std::sqrt(tag.area_px);
@@ -104,7 +101,7 @@ class StrayFinder {
   Pipeline& pipeline_;
   const TrackedPattern& pattern_;
   const std::set<Identity>& known_;
-  FrameResult result_;
+  const FrameResult* result_ = nullptr;
 };
 
 }  // namespace
@@ -114,10 +111,11 @@ std::vector<std::vector<Stray>> find_strays(Pipeline& pipeline, std::span<const 
                                             const TrackedPattern& pattern,
                                             const std::set<Identity>& known) {
   StrayFinder finder(pipeline, pattern, known);
-  std::vector<std::vector<Stray>> strays;
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    strays.push_back(finder.look_at(frames[f], static_cast<int>(f), ball.by_frame[f]));
-  }
+  std::vector<std::vector<Stray>> strays(frames.size());
+  score_by_pattern(pipeline, frames, [&](const FrameResult& result) {
+    const std::size_t f = result.frame.sequence;
+    strays[f] = finder.look_at(result, ball.by_frame[f]);
+  });
   return strays;
 }
 

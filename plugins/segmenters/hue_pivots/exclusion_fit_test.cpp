@@ -113,6 +113,28 @@ TEST(ExclusionFit, AFewPixelsAreNoReason) {
               IsEmpty());
 }
 
+TEST(HuesNear, AreThoseOfTagsAndTheirNeighboursRoundTheCircle) {
+  const auto tags = pixels({253, 255}, {150, 200});
+  const auto near = hues_near(tags, 4);
+  EXPECT_TRUE(near[252]) << "a hue to either side counts as the tag's own";
+  EXPECT_TRUE(near[0]);
+  EXPECT_TRUE(near[248]);
+  EXPECT_TRUE(near[4]);
+  EXPECT_FALSE(near[247]);
+  EXPECT_FALSE(near[5]);
+  EXPECT_FALSE(hues_near(tags, 0)[251]);
+}
+
+TEST(HuesNear, AFewStrayPixelsMakeNoHueATags) {
+  auto tags = pixels({100, 110}, {150, 200}, {140, 230});
+  tags.resize(5'000, tags.back());
+  tags.push_back({30, 200, 200});
+  EXPECT_FALSE(hues_near(tags, 3)[30]);
+  EXPECT_TRUE(hues_near(tags, 3)[105]);
+}
+
+TEST(HuesNear, WithoutTagsThereAreNone) { EXPECT_THAT(hues_near({}, 10), ::testing::Each(false)); }
+
 RC_GTEST_PROP(ExclusionFitProperty, LosesHardlyAPixelOfATag, ()) {
   const auto any_pixels = [] {
     std::vector<Hsv> colors;

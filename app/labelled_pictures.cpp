@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 #include <glob.h>
-#include <opencv2/imgcodecs.hpp>
 
+#include "maggic/frame_conversion.hpp"
 #include "maggic/label_image.hpp"
+#include "maggic/parameter_reader.hpp"
 #include "maggic/picture_name.hpp"
+#include "maggic/source.hpp"
 
 namespace maggic::app {
 namespace {
@@ -41,18 +43,33 @@ std::vector<fs::path> files_matching(const std::string& pattern) {
   return files;
 }
 
-cv::Mat read_picture(const fs::path& file, cv::ImreadModes mode) {
-  cv::Mat picture;
+/// What goes wrong is told by what comes, or does not.
+class SilentReporter final : public Reporter {
+ public:
+  void warn(std::string_view) override {}
+};
+
+/// As it is in the file, of whatever type.
+cv::Mat read_picture(const fs::path& file, const Palette& palette, PluginRegistry& registry) {
+  SilentReporter reporter;
+  const StagePtr<Source> source = registry.create<Source>("images");
+  std::string quoted;  // a quote in YAML is doubled
+  for (const char c : file.string()) quoted += c == '\'' ? "''" : std::string(1, c);
+  configure_stage(*source, fmt::format("{{path: '{}', exif_rotation: false}}", quoted), palette,
+                  reporter);
+  Frame frame;
   try {
-    picture = cv::imread(file.string(), mode);
-  } catch (const cv::Exception& error) {
-    throw std::invalid_argument(fmt::format("cannot read '{}': {}", file.string(), error.err));
+    source->open();
+    while (source->read(frame) == ReadStatus::kRetry) {
+    }
+  } catch (const std::exception&) {
+    frame.bgr.release();  // said below, in the words for a single picture
   }
-  if (picture.empty()) {
+  if (frame.bgr.empty()) {
     throw std::invalid_argument(
         fmt::format("cannot read '{}': it is no picture, or a damaged one", file.string()));
   }
-  return picture;
+  return frame.bgr;
 }
 
 }  // namespace
@@ -88,9 +105,13 @@ LabelledPictures find_labelled_pictures(const std::string& where) {
   return found;
 }
 
-void add_picture(const LabelledPicture& files, const Palette& palette, LabelledColors& colors) {
-  const cv::Mat picture = read_picture(files.picture, cv::IMREAD_COLOR);
-  const cv::Mat label_picture = read_picture(files.labels, cv::IMREAD_UNCHANGED);
+void add_picture(const LabelledPicture& files, const Palette& palette, PluginRegistry& registry,
+                 LabelledColors& colors) {
+  cv::Mat picture = read_picture(files.picture, palette, registry);
+  const cv::Mat label_picture = read_picture(files.labels, palette, registry);
+  if (const auto unusable = convert_to_bgr8(picture)) {
+    throw std::invalid_argument(fmt::format("{}: {}", files.picture.string(), *unusable));
+  }
   try {
     colors.add(picture, labels_of(label_picture, palette));
   } catch (const std::invalid_argument& error) {

@@ -8,6 +8,7 @@
 
 #include "maggic/label_sweep.hpp"
 #include "maggic/palette.hpp"
+#include "maggic/plugin_registry.hpp"
 
 namespace maggic::app {
 
@@ -26,7 +27,9 @@ struct LabelledPictures {
 /// @throws std::invalid_argument when nothing is found, saying what was looked for.
 LabelledPictures find_labelled_pictures(const std::string& where);
 
-/// Reads both pictures and counts their pixels. @throws std::invalid_argument naming the file.
-void add_picture(const LabelledPicture& files, const Palette& palette, LabelledColors& colors);
+/// Reads both pictures, through the plugin `images` (so that no other command loads the codecs), and
+/// counts their pixels. @throws std::invalid_argument naming the file.
+void add_picture(const LabelledPicture& files, const Palette& palette, PluginRegistry& registry,
+                 LabelledColors& colors);
 
 }  // namespace maggic::app

@@ -193,7 +193,9 @@ ExitCode sweep_command(const SweepOptions& options, const CommandLine& line) {
                  Console::Tone::kWarning, "note: ");
   }
   LabelledColors colors(palette);
-  for (const LabelledPicture& picture : pictures.pairs) add_picture(picture, palette, colors);
+  for (const LabelledPicture& picture : pictures.pairs) {
+    add_picture(picture, palette, registry, colors);
+  }
   make_folder(options.output);
 
   std::vector<const ColorNormalizer*> by_color;

@@ -38,7 +38,8 @@ TEST(FieldModel, FollowsTheSizeOfTheField) {
   field.length_mm = 2200.0;
   field.width_mm = 1800.0;
   EXPECT_THAT(line_places_mm(field, Direction::kUpright), ElementsAre(-1100, -950, 0, 950, 1100));
-  for (const ModelPoint& p : line_named(field_lines(field), "right goal line").points) {
+  const std::vector<ModelLine> lines = field_lines(field);
+  for (const ModelPoint& p : line_named(lines, "right goal line").points) {
     EXPECT_EQ(p.position_mm.x, 1100.0);
   }
 }

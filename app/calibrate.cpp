@@ -127,12 +127,15 @@ ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& l
   std::vector<cv::Mat> frames;
   CalibrationResult result;
   try {
+    if (console.is_terminal()) console.live("looking at frames …");
     frames = sample_frames(*built.source.stage, options.frames, console);
     if (frames.empty()) {
       console.line("no frame ever came from the source", Console::Tone::kError, "error: ");
       return kFailed;
     }
+    if (console.is_terminal()) console.live("learning colours, field and light …");
     result = calibrate(calibration, frames, registry, reporter);
+    console.end_live();
   } catch (const ConfigError&) {
     throw;
   } catch (const std::invalid_argument&) {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-
-#include <opencv2/core/utility.hpp>
+#include <exception>
+#include <mutex>
+#include <thread>
 
 #include "calibration/plateau.hpp"
 
@@ -23,12 +25,30 @@ constexpr double kPlateauTolerance = 0.06;  // of a level's worth
 constexpr double kTagSizeRatio = 1.8;
 constexpr double kLeftOverCost = 0.3;
 
-/// Runs `work(0 … count - 1)` over the cores.
+/// Runs `work(0 … count - 1)` over the cores. @throws what a call threw first.
 template <class Work>
 void in_parallel(std::size_t count, Work work) {
-  cv::parallel_for_(cv::Range(0, static_cast<int>(count)), [&](const cv::Range& range) {
-    for (int i = range.start; i < range.end; ++i) work(static_cast<std::size_t>(i));
-  });
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto work_on = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(failure_mutex);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+    for (std::size_t i = 1; i < std::min(cores, count); ++i) helpers.emplace_back(work_on);
+    work_on();
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 /// A tag keeps its spread at every threshold, while noise is always just above it: so weighed, tags

@@ -158,8 +158,7 @@ void describe_calibrate(CLI::App& command, CalibrateOptions& calibrate) {
                   "The field's corners in the picture, x,y each: top left, top right, bottom "
                   "right, bottom left (default: found)")
       ->expected(4);
-  command
-      .add_option("--threshold", calibrate.gray_threshold, "Gray threshold (default: found)")
+  command.add_option("--threshold", calibrate.gray_threshold, "Gray threshold (default: found)")
       ->transform(within(0, 255, "a whole number from 0 to 255"));
 }
 
@@ -220,7 +219,8 @@ std::vector<OfferedCommand> offer_commands(CLI::App& app) {
       offer_plot(app),
       offer<ImportOptions>(app, "import", "Turn another program's calibration into one of ours",
                            describe_import),
-      offer<CheckOptions>(app, "check", "Find every mistake in pipeline files; with --source, colours that "
+      offer<CheckOptions>(app, "check",
+                          "Find every mistake in pipeline files; with --source, colours that "
                           "lie badly too",
                           describe_check),
       offer<PluginsOptions>(app, "plugins",

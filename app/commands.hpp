@@ -58,21 +58,21 @@ struct ScoreOptions {
 };
 
 struct CompareOptions {
-  std::vector<std::string> pipelines;       ///< At least two.
-  std::vector<std::string> calibrations;    ///< None, one for all, or one each.
-  PipelineOptions common;                   ///< Its `pipeline` and `calibration` are not used.
+  std::vector<std::string> pipelines;     ///< At least two.
+  std::vector<std::string> calibrations;  ///< None, one for all, or one each.
+  PipelineOptions common;                 ///< Its `pipeline` and `calibration` are not used.
   std::optional<std::filesystem::path> truth;
   std::optional<std::uint64_t> frames;
   std::optional<std::filesystem::path> json;
   std::filesystem::path output = "compare";  ///< Folder of the report and its pictures.
-  std::vector<int> thresholds{20, 40, 60};  ///< Gray thresholds of the report's rows.
+  std::vector<int> thresholds{20, 40, 60};   ///< Gray thresholds of the report's rows.
 };
 
 struct SweepOptions {
   PipelineOptions pipeline;
-  std::string images;                        ///< Folder or pattern.
-  std::filesystem::path output = "sweep";    ///< Folder of plots and tables.
-  std::vector<std::string> normalizers;      ///< None: every colour normalizer there is.
+  std::string images;                      ///< Folder or pattern.
+  std::filesystem::path output = "sweep";  ///< Folder of plots and tables.
+  std::vector<std::string> normalizers;    ///< None: every colour normalizer there is.
   double share_percent = 90.0;
 };
 

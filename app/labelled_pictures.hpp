@@ -27,8 +27,8 @@ struct LabelledPictures {
 /// @throws std::invalid_argument when nothing is found, saying what was looked for.
 LabelledPictures find_labelled_pictures(const std::string& where);
 
-/// Reads both pictures, through the plugin `images` (so that no other command loads the codecs), and
-/// counts their pixels. @throws std::invalid_argument naming the file.
+/// Reads both pictures, through the plugin `images` (so that no other command loads the codecs),
+/// and counts their pixels. @throws std::invalid_argument naming the file.
 void add_picture(const LabelledPicture& files, const Palette& palette, PluginRegistry& registry,
                  LabelledColors& colors);
 

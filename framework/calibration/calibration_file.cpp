@@ -41,9 +41,9 @@ std::string to_calibration_yaml(const CalibrationNumbers& numbers) {
   }
   if (numbers.blobs) {
     const BlobNumbers& blobs = *numbers.blobs;
-    yaml += fmt::format("\nblobs:\n  min_area_mm2: {:.0f}   # {}\n  max_area_mm2: {:.0f}   # {}\n",
-                        blobs.min_area_mm2, blobs.min_comment, blobs.max_area_mm2,
-                        blobs.max_comment);
+    yaml +=
+        fmt::format("\nblobs:\n  min_area_mm2: {:.0f}   # {}\n  max_area_mm2: {:.0f}   # {}\n",
+                    blobs.min_area_mm2, blobs.min_comment, blobs.max_area_mm2, blobs.max_comment);
   }
   if (numbers.light) {
     const auto& [red, green, blue] = numbers.light->reference_rgb;

@@ -10,13 +10,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 #include "calibration/calibration_file.hpp"
 #include "calibration/field_finder.hpp"
 #include "calibration/pattern_score.hpp"
 #include "calibration/plateau.hpp"
 #include "calibration/sample_store.hpp"
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "calibration/threshold_scan.hpp"
 #include "maggic/border_check.hpp"
@@ -66,9 +66,10 @@ std::vector<Picture> evenly(std::span<const Picture> frames, std::size_t most) {
 }
 
 std::string one_line(const PatternScore& score) {
-  return fmt::format("{:.1f} complete robots and {:.1f} doubtful ones a frame, a ball in {:.0f} % "
-                     "of frames",
-                     score.robots, score.doubtful, 100.0 * score.balls);
+  return fmt::format(
+      "{:.1f} complete robots and {:.1f} doubtful ones a frame, a ball in {:.0f} % "
+      "of frames",
+      score.robots, score.doubtful, 100.0 * score.balls);
 }
 
 /// Trials may go wrong in ways that concern nobody.
@@ -164,6 +165,7 @@ class Calibrator {
     const std::size_t first = scan_.best - std::min(scan_.best, kReach);
     const std::size_t last = std::min(scan_.best + kReach, scan_.levels.size() - 1);
     std::optional<double> best;
+    BallSightings best_ball;
     for (std::size_t level = first; level <= last; ++level) {
       const int threshold = scan_.levels[level].gray_threshold;
       learn_from(scan_.levels[level]);
@@ -171,6 +173,7 @@ class Calibrator {
       const double worth = try_out(yaml_for({.best = threshold}), scan_frames_).value();
       if (best && worth <= *best) continue;
       best = worth;
+      best_ball = ball_;
       learning_threshold_ = threshold;
     }
     found_.clear();
@@ -178,10 +181,11 @@ class Calibrator {
     if (!best) return;
     found_ = find_candidates(chroma_, learning_threshold_, pattern_.layouts, *scan_.metric);
     naming_ = name_colors(found_, pattern_, palette());
-    ball_.by_frame.assign(chroma_.size(), std::nullopt);
-    if (ball_.count > 0) {
-      const std::vector<FramePatches> patches = find_candidates(
-          chroma_, ball_.gray_threshold, pattern_.layouts, *scan_.metric);
+    ball_ = {};
+    ball_.by_frame.resize(chroma_.size());
+    if (best_ball.count > 0) {
+      const std::vector<FramePatches> patches =
+          find_candidates(chroma_, best_ball.gray_threshold, pattern_.layouts, *scan_.metric);
       ball_ = find_ball(patches, found_, naming_, pattern_, palette(), *scan_.metric);
     }
     store_ = std::make_unique<SampleStore>(chroma_, found_, naming_, ball_, pattern_.ball_color);
@@ -276,8 +280,8 @@ class Calibrator {
     numbers_.segmenter = parts().segmenter.name;
     numbers_.segmenter_yaml = segmenter.fit(store_->samples(palette(), threshold));
     if (numbers_.segmenter_yaml.empty()) {
-      throw std::invalid_argument(fmt::format("the segmenter '{}' cannot be calibrated",
-                                              parts().segmenter.name));
+      throw std::invalid_argument(
+          fmt::format("the segmenter '{}' cannot be calibrated", parts().segmenter.name));
     }
     return to_calibration_yaml(numbers_);
   }
@@ -335,7 +339,8 @@ class Calibrator {
       }
       const std::optional<Patch>& ball = ball_.by_frame[result.frame.sequence];
       const auto& seen = result.detections.ball;
-      if (ball && seen && cv::norm(ball->centroid_px - seen->centroid_px) < std::sqrt(ball->area_px)) {
+      if (ball && seen &&
+          cv::norm(ball->centroid_px - seen->centroid_px) < std::sqrt(ball->area_px)) {
         count += 1.0;
       }
     });
@@ -367,9 +372,8 @@ class Calibrator {
         build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_, silent_);
     BlobColors colors;
     result_.after = score_by_pattern(
-        *final.pipeline, evenly<cv::Mat>(frames_, kTrialFrames), [&](const FrameResult& frame) {
-          colors.offer(frame, final.pipeline->channel_map());
-        });
+        *final.pipeline, evenly<cv::Mat>(frames_, kTrialFrames),
+        [&](const FrameResult& frame) { colors.offer(frame, final.pipeline->channel_map()); });
     for (const DoubtfulBorder& border : find_doubtful_borders(*final.pipeline, colors)) {
       result_.unsettled.push_back(border.to_string(palette()));
     }
@@ -384,8 +388,8 @@ class Calibrator {
 
   /// The field's colour now, so that its change later tells what the light did.
   void note_light() {
-    BuiltPipeline trial = build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_,
-                                         silent_);
+    BuiltPipeline trial =
+        build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_, silent_);
     score_by_pattern(*trial.pipeline, std::span(frames_).first(1));
     const std::shared_ptr<const Field>& field = trial.pipeline->field();
     if (!field) return;
@@ -415,10 +419,11 @@ class Calibrator {
     }
     constexpr double kSmallestPart = 0.35;
     constexpr double kLargestPart = 3.0;
-    numbers_.blobs = BlobNumbers{
-        kSmallestPart * smallest,
-        fmt::format("about a third of the smallest tag seen, {:.0f} mm²", smallest),
-        kLargestPart * largest, fmt::format("three times the largest tag seen, {:.0f} mm²", largest)};
+    numbers_.blobs =
+        BlobNumbers{kSmallestPart * smallest,
+                    fmt::format("about a third of the smallest tag seen, {:.0f} mm²", smallest),
+                    kLargestPart * largest,
+                    fmt::format("three times the largest tag seen, {:.0f} mm²", largest)};
   }
 
   void report_colors() {
@@ -436,8 +441,9 @@ class Calibrator {
     result_.findings.push_back(fmt::format("colours seen: {}", fmt::join(seen, ", ")));
     for (const Label team : {pattern_.blue_team_color, pattern_.yellow_team_color}) {
       if (team == kBackground || teams.contains(team)) continue;
-      result_.unsettled.push_back(fmt::format(
-          "no robot of the {} team was seen: its colour is as it was before", palette().name(team)));
+      result_.unsettled.push_back(
+          fmt::format("no robot of the {} team was seen: its colour is as it was before",
+                      palette().name(team)));
     }
     if (pattern_.ball_color != kBackground && ball_.count == 0) {
       result_.unsettled.push_back("no ball was seen: its colour is as it was before");
@@ -477,9 +483,9 @@ void check_frames(std::span<const cv::Mat> frames) {
   if (frames.empty()) throw std::invalid_argument("there is no frame to calibrate from");
   for (const cv::Mat& frame : frames) {
     if (frame.size() == frames.front().size()) continue;
-    throw std::invalid_argument(fmt::format(
-        "frames of {}x{} and of {}x{} were given, expected one size", frames.front().cols,
-        frames.front().rows, frame.cols, frame.rows));
+    throw std::invalid_argument(
+        fmt::format("frames of {}x{} and of {}x{} were given, expected one size",
+                    frames.front().cols, frames.front().rows, frame.cols, frame.rows));
   }
 }
 

@@ -16,9 +16,9 @@ constexpr std::size_t kPixelsPerTag = 80;
 constexpr std::size_t kFewestInnerPixels = 20;
 constexpr std::size_t kBackgroundPixels = 24'000;
 constexpr double kStrayHeart = 0.7;  // of its radius
-// Warmer and colder, relative to the light there is, as steps of colour temperature from 6500 K. The
-// light is followed as a whole; this is for what lamps and windows do to parts of the field. Dimmed,
-// so that nothing saturates that did not.
+// Warmer and colder, relative to the light there is, as steps of colour temperature from 6500 K.
+// The light is followed as a whole; this is for what lamps and windows do to parts of the field.
+// Dimmed, so that nothing saturates that did not.
 constexpr std::array<double, 4> kOtherLight{4800.0, 5600.0, 7700.0, 9500.0};
 constexpr double kDimmed = 0.6;
 constexpr int kRimPx = 4;  // around tags, where colours mix: neither tag nor background
@@ -106,13 +106,14 @@ void SampleStore::add_tag(const ChromaFrame& frame, const Patch& patch, Label la
   ++next_tag_;
 }
 
-void SampleStore::add_background(const ChromaFrame& frame, const std::vector<const Patch*>& apart_from,
-                                 std::size_t wanted) {
+void SampleStore::add_background(const ChromaFrame& frame,
+                                 const std::vector<const Patch*>& apart_from, std::size_t wanted) {
   cv::Mat tags = cv::Mat::zeros(frame.bgr.size(), CV_8UC1);
   for (const Patch* patch : apart_from) {
     for (const cv::Point& pixel : patch->pixels) tags.at<std::uint8_t>(pixel) = 255;
   }
-  cv::dilate(tags, tags, cv::getStructuringElement(cv::MORPH_RECT, {2 * kRimPx + 1, 2 * kRimPx + 1}));
+  cv::dilate(tags, tags,
+             cv::getStructuringElement(cv::MORPH_RECT, {2 * kRimPx + 1, 2 * kRimPx + 1}));
   const std::size_t total = tags.total();
   // The golden ratio spreads the picks evenly whatever the picture's width.
   const std::size_t count = std::min(wanted, total);

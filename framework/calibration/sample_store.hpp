@@ -14,8 +14,8 @@ namespace maggic::calibration {
 
 class SampleStore {
  public:
-  /// Takes pixels of every named patch and of the ball and, thinned out, of what lies apart from all
-  /// of them.
+  /// Takes pixels of every named patch and of the ball and, thinned out, of what lies apart from
+  /// all of them.
   /// @param found,named,ball of the same frames.
   SampleStore(std::span<const ChromaFrame> frames, std::span<const FramePatches> found,
               const Naming& named, const BallSightings& ball, Label ball_color);

@@ -71,8 +71,7 @@ class StrayFinder {
     const bool has_size = std::ranges::any_of(pattern_.layouts, [&](const TagLayout& layout) {
       return std::ranges::any_of(layout.patches, [&](const TagPatch& patch) {
         const double ratio = seen.area_mm2 / patch.expected_area_mm2();
-        return patch.role == PatchRole::kTeam && ratio >= kMinPatchRatio &&
-               ratio <= kMaxPatchRatio;
+        return patch.role == PatchRole::kTeam && ratio >= kMinPatchRatio && ratio <= kMaxPatchRatio;
       });
     });
     return has_size && !is_on_robot(blob);

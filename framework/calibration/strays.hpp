@@ -21,10 +21,10 @@ struct Stray {
   double area_px = 0.0;
 };
 
-/// Runs the frames and lists, for each, the blobs on the field of a team's colour that are part of no complete
-/// robot, and those of the ball's colour away from where the ball is known to be. Frames in which
-/// no ball was seen are not asked for balls. A robot of an identity that is not `known` is none:
-/// scraps can lie like a tag.
+/// Runs the frames and lists, for each, the blobs on the field of a team's colour that are part of
+/// no complete robot, and those of the ball's colour away from where the ball is known to be.
+/// Frames in which no ball was seen are not asked for balls. A robot of an identity that is not
+/// `known` is none: scraps can lie like a tag.
 /// @param ball of the same frames.
 std::vector<std::vector<Stray>> find_strays(Pipeline& pipeline, std::span<const cv::Mat> frames,
                                             const BallSightings& ball,

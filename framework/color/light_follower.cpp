@@ -12,10 +12,10 @@ namespace {
 constexpr int kGridSteps = 64;         // along the field's longer side
 constexpr double kInsideShare = 0.92;  // of the field: no walls
 constexpr double kUnchanged = 0.03;
-constexpr double kWorthAMap = 0.004;   // smaller changes keep the map there is
+constexpr double kWorthAMap = 0.004;  // smaller changes keep the map there is
 constexpr double kMostGain = 5.0;
 constexpr double kMaxGapS = 2.0;
-constexpr double kDarkest = 1.0;       // 8-bit steps; of less nothing can be told
+constexpr double kDarkest = 1.0;  // 8-bit steps; of less nothing can be told
 
 /// Mean of the middle half.
 double middle_mean(const std::array<int, 256>& histogram, int count) {
@@ -52,8 +52,10 @@ void LightParameters::describe(Parameters& p) {
   p.boolean({"follow", "take colours back to the light of the calibration when the hall's changes"},
             follow);
   std::array<double, 3> rgb = reference_rgb.value_or(std::array<double, 3>{0.0, 0.0, 0.0});
-  p.numbers({"reference_rgb", "red, green, blue of the field at calibration, which maggic calibrate "
-                              "writes; [0, 0, 0]: unknown", "8-bit steps"},
+  p.numbers({"reference_rgb",
+             "red, green, blue of the field at calibration, which maggic calibrate "
+             "writes; [0, 0, 0]: unknown",
+             "8-bit steps"},
             rgb, {0.0, 255.0});
   const bool known = std::ranges::all_of(rgb, [](double v) { return v >= kDarkest; });
   reference_rgb = known ? std::optional(rgb) : std::nullopt;
@@ -122,8 +124,8 @@ const ChannelMap* LightFollower::look(const cv::Mat& bgr, const Field& field, Ti
   const double share = follows_on ? 1.0 - std::exp(-dt_s / parameters_.settle_s) : 1.0;
   for (std::size_t c = 0; c < 3; ++c) {
     if (now[c] < kDarkest) return nullptr;  // a black picture says nothing of the light
-    const double wanted = std::clamp((*parameters_.reference_rgb)[c] / now[c], 1.0 / kMostGain,
-                                     kMostGain);
+    const double wanted =
+        std::clamp((*parameters_.reference_rgb)[c] / now[c], 1.0 / kMostGain, kMostGain);
     gains_[c] += share * (wanted - gains_[c]);
   }
   if (largest_step(gains_, {1.0, 1.0, 1.0}) <= kUnchanged) return nullptr;

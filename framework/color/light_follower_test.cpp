@@ -3,15 +3,15 @@
 #include <chrono>
 
 #include <gmock/gmock.h>
-#include <opencv2/core.hpp>
 #include <rapidcheck/gtest.h>
+#include <opencv2/core.hpp>
 
 namespace maggic {
 namespace {
 
 using std::chrono::milliseconds;
-using ::testing::Each;
 using ::testing::DoubleNear;
+using ::testing::Each;
 using ::testing::IsNull;
 using ::testing::NotNull;
 

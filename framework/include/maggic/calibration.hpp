@@ -37,7 +37,8 @@ struct PatternScore {
   double balls = 0.0;     ///< Frames with a ball, share.
 
   /// One number to compare by; more is better.
-  /// A doubtful robot may be a real one with a tag nobody could read, so it costs less than one counts.
+  /// A doubtful robot may be a real one with a tag nobody could read, so it costs less than one
+  /// counts.
   double value() const { return robots - 0.25 * doubtful + 0.5 * balls; }
 };
 

@@ -14,8 +14,8 @@ namespace maggic {
 /// may lie, 8-bit steps.
 struct GrayThreshold {
   int best = 0;
-  int lowest = 0;   ///< Below it the background was taken for tags.
-  int highest = 255;  ///< Above it a tag was lost.
+  int lowest = 0;      ///< Below it the background was taken for tags.
+  int highest = 255;   ///< Above it a tag was lost.
   bool given = false;  ///< Chosen by hand.
 };
 

@@ -2,9 +2,9 @@
 /// Light that changes during a match: colours are taken back to the light they were calibrated in.
 ///
 /// The floor with its lines is the same all day, so what its colour is now, over what it was then,
-/// is what the light did. Each channel is multiplied by the inverse, through a table of 256 entries,
-/// before the ColorTable is asked; the method itself stays as calibrated and costs three look-ups a
-/// pixel more, and nothing while the light is as it was.
+/// is what the light did. Each channel is multiplied by the inverse, through a table of 256
+/// entries, before the ColorTable is asked; the method itself stays as calibrated and costs three
+/// look-ups a pixel more, and nothing while the light is as it was.
 
 #include <array>
 #include <cstdint>
@@ -39,7 +39,8 @@ struct ChannelMap {
 void apply(const ChannelMap& map, const cv::Mat& bgr, cv::Mat& mapped);
 
 /// Red, green and blue of the field as a whole, 8-bit steps: of each channel the mean of the middle
-/// half of the values on a grid of pixels inside the field, so robots, lines and hands weigh little.
+/// half of the values on a grid of pixels inside the field, so robots, lines and hands weigh
+/// little.
 /// @param bgr CV_8UC3, at least 1×1. @param field for pictures of this size.
 std::array<double, 3> scene_color(const cv::Mat& bgr, const Field& field);
 

@@ -36,7 +36,8 @@ struct ExclusionFit {
   double left_over = 0.0;  ///< Share of such pixels that nothing tells from a tag.
 };
 
-/// For every hue whether tags have it, or one within `reach` of it. A few stray pixels do not count.
+/// For every hue whether tags have it, or one within `reach` of it. A few stray pixels do not
+/// count.
 std::array<bool, 256> hues_near(std::span<const Hsv> tags, int reach);
 
 /// Leaves out hues no tag has; where hues are shared, what is clearly darker, brighter, paler or

@@ -117,8 +117,12 @@ ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& l
   Console console(stderr);
   ConsoleReporter reporter(console);
   std::vector<Mistake> notes;
-  calibration.document = merged_document(request, notes);
-  calibration.field_is_known = is_field_known(options.pipeline, calibration.document, request);
+  calibration.with_known = merged_document(request, notes);
+  calibration.field_is_known = is_field_known(options.pipeline, *calibration.with_known, request);
+  PipelineRequest plain = request;
+  plain.calibration.reset();
+  std::vector<Mistake> ignored;
+  calibration.document = merged_document(plain, ignored);
   BuiltPipeline built = build_pipeline(request, registry, reporter);
   for (const Mistake& note : notes) {
     console.line(note.to_string(), Console::Tone::kWarning, "note: ");
@@ -134,7 +138,7 @@ ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& l
       return kFailed;
     }
     if (console.is_terminal()) console.live("learning colours, field and light …");
-    result = calibrate(calibration, frames, registry, reporter);
+    result = calibrate(calibration, frames, registry);
     console.end_live();
   } catch (const ConfigError&) {
     throw;

@@ -24,6 +24,8 @@ std::vector<cv::Mat> sample_frames(Source& source, std::uint64_t most, Console& 
   auto last = Clock::now();
   Frame frame;
   while (read < most) {
+    frame.has_truth = false;
+    frame.truth_labels.release();
     const ReadStatus status = source.read(frame);
     if (status == ReadStatus::kEnd) break;
     if (status == ReadStatus::kRetry) {

@@ -14,7 +14,7 @@ cd "$root"
 # figure NAME: its value in the last score, rounded.
 figure() {
   local value
-  value=$(grep -m 1 -o "\"$1\": *[-0-9.e]*" "$work/score.json" | sed 's/.*: *//') || true
+  value=$(grep -m 1 -o "\"$1\": *[-0-9.e]*" "$work/score.json" 2>/dev/null | sed 's/.*: *//') || true
   if [[ -z $value ]]; then printf -- '-'; else LC_ALL=C printf '%.2f' "$value"; fi
 }
 
@@ -35,6 +35,7 @@ row() {
   fi
   local seconds
   seconds=$(LC_ALL=C awk "BEGIN { printf \"%.1f\", $EPOCHREALTIME - $started }")
+  rm -f "$work/score.json"
   # A score below what is required exits with 1; its figures are still there.
   "$maggic" score "$@" --calibration "$work/found.yaml" --json "$work/score.json" >"$work/log" 2>&1 || true
   printf '| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n' "$title" "$(figure seen)" "$(figure identity)" \

@@ -81,7 +81,7 @@ CalibrationRequest request_for(const std::string& pipeline,
 CalibrationResult calibrated(const CalibrationRequest& request,
                              const std::vector<cv::Mat>& frames) {
   testing::RecordingReporter reporter;
-  return calibrate(request, frames, testing::registry(), reporter);
+  return calibrate(request, frames, testing::registry());
 }
 
 class SyntheticCalibration : public ::testing::TestWithParam<std::string> {

@@ -35,9 +35,8 @@ std::string to_calibration_yaml(const CalibrationNumbers& numbers) {
         "  image_size_px: [{}, {}]   # the picture they were taken in\n",
         field.corners_comment, corner(c[0]), corner(c[1]), corner(c[2]), corner(c[3]),
         field.image_size_px.width, field.image_size_px.height);
-    if (!field.lens_comment.empty()) {
-      yaml += fmt::format("  lens:\n    k1: {:.4f}   # {}\n", field.lens_k1, field.lens_comment);
-    }
+    yaml += fmt::format("  lens:\n    k1: {:.4f}   # {}\n    k2: {:.4f}   # goes with k1\n",
+                        field.lens_k1, field.lens_comment, field.lens_k2);
   }
   if (numbers.blobs) {
     const BlobNumbers& blobs = *numbers.blobs;
@@ -48,10 +47,10 @@ std::string to_calibration_yaml(const CalibrationNumbers& numbers) {
   if (numbers.light) {
     const auto& [red, green, blue] = numbers.light->reference_rgb;
     yaml += fmt::format(
-        "\nlight:\n  follow: true   # false: take colours as they come, even when lamps change\n"
+        "\nlight:\n  follow: {}   # false: take colours as they come, even when lamps change\n"
         "  reference_rgb: [{:.1f}, {:.1f}, {:.1f}]   # the field's colour in the light of these "
         "numbers\n",
-        red, green, blue);
+        numbers.light->follow, red, green, blue);
   }
   return yaml;
 }

@@ -16,7 +16,8 @@ struct FieldNumbers {
   std::string corners_comment;
   cv::Size image_size_px;
   double lens_k1 = 0.0;
-  std::string lens_comment;  ///< Empty: no lens is written.
+  double lens_k2 = 0.0;
+  std::string lens_comment;
 };
 
 struct BlobNumbers {
@@ -27,6 +28,7 @@ struct BlobNumbers {
 };
 
 struct LightNumbers {
+  bool follow = true;
   std::array<double, 3> reference_rgb{};
 };
 

@@ -81,10 +81,9 @@ class SilentReporter final : public Reporter {
 class Calibrator {
  public:
   Calibrator(const CalibrationRequest& request, std::span<const cv::Mat> frames,
-             PluginRegistry& registry, Reporter& reporter)
+             PluginRegistry& registry)
       : request_(request),
         registry_(registry),
-        reporter_(reporter),
         document_(without_outputs_and_light(request.document)),
         frames_(frames.begin(), frames.end()) {
     built_ = build_pipeline(document_, registry_, silent_);
@@ -109,7 +108,13 @@ class Calibrator {
   }
 
   CalibrationResult run() {
-    result_.before = score_by_pattern(*built_.pipeline, evenly<cv::Mat>(frames_, kTrialFrames));
+    {
+      const Node& known = request_.with_known ? *request_.with_known : request_.document;
+      BuiltPipeline as_it_was = build_pipeline(known, registry_, silent_);
+      known_field_ = as_it_was.pipeline->parts().field;
+      result_.before =
+          score_by_pattern(*as_it_was.pipeline, evenly<cv::Mat>(frames_, kTrialFrames));
+    }
     if (!learn_pattern()) return std::move(result_);
     choose_field();
     name();
@@ -170,7 +175,7 @@ class Calibrator {
       const int threshold = scan_.levels[level].gray_threshold;
       learn_from(scan_.levels[level]);
       if (naming_.robots == 0.0) continue;
-      const double worth = try_out(yaml_for({.best = threshold}), scan_frames_).value();
+      const double worth = worth_of(yaml_for({.best = threshold}), scan_frames_);
       if (best && worth <= *best) continue;
       best = worth;
       best_ball = ball_;
@@ -220,15 +225,14 @@ class Calibrator {
   void choose_field() {
     FieldNumbers numbers;
     numbers.image_size_px = frames_.front().size();
+    numbers.lens_comment = "not looked at";
     if (request_.corners_px) {
       numbers.corners_px = *request_.corners_px;
       numbers.corners_comment = "Given by hand.";
     } else if (const auto found = find_field(mean_picture(), parts().field, *scan_.metric)) {
       take_lines(*found, numbers);
     } else if (request_.field_is_known) {
-      result_.unsettled.push_back(
-          "the field's lines were not recognised: its corners are as they were before");
-      return;
+      take_known(numbers);
     } else {
       numbers.corners_px = corners_by_tags();
       numbers.corners_comment =
@@ -241,15 +245,37 @@ class Calibrator {
     numbers_.field = numbers;
   }
 
+  /// Scaled to these frames, as the file is to stand on its own.
+  void take_known(FieldNumbers& numbers) {
+    const cv::Size size = frames_.front().size();
+    const cv::Size taken = known_field_.image_size_px;
+    const cv::Point2d scale = taken.width > 0 ? cv::Point2d(1.0 * size.width / taken.width,
+                                                            1.0 * size.height / taken.height)
+                                              : cv::Point2d(1.0, 1.0);
+    const std::vector<cv::Point2d> corners =
+        known_field_.corners_px.empty()
+            ? fitted_corners_px(known_field_, taken.width > 0 ? taken : size)
+            : known_field_.corners_px;
+    for (std::size_t i = 0; i < 4; ++i) {
+      numbers.corners_px[i] = {corners[i].x * scale.x, corners[i].y * scale.y};
+    }
+    numbers.lens_k1 = known_field_.lens_k1;
+    numbers.lens_k2 = known_field_.lens_k2;
+    numbers.lens_comment = "as it was";
+    numbers.corners_comment = "As they were: no lines of the field were recognised.";
+    result_.unsettled.push_back(
+        "the field's lines were not recognised: its corners are as they were before");
+  }
+
   void take_lines(const FoundField& found, FieldNumbers& numbers) {
     numbers.corners_px = found.corners_px;
     numbers.lens_k1 = found.lens_k1;
     numbers.corners_comment =
         fmt::format("From {} of its lines, which lie within {:.1f} px (RMS) of where they should.",
                     found.lines.size(), found.error_px);
-    if (found.lens_k1 != 0.0) {
-      numbers.lens_comment = "bends the field's straight lines as they are seen";
-    }
+    numbers.lens_comment = found.lens_k1 != 0.0
+                               ? "bends the field's straight lines as they are seen"
+                               : "straight lines are seen straight";
     result_.findings.push_back(fmt::format("the field by its {} (RMS {:.1f} px)",
                                            fmt::join(found.lines, ", "), found.error_px));
   }
@@ -286,9 +312,14 @@ class Calibrator {
     return to_calibration_yaml(numbers_);
   }
 
-  PatternScore try_out(const std::string& yaml, std::span<const cv::Mat> frames) {
-    BuiltPipeline trial = build_pipeline(laid_over(document_, yaml), registry_, silent_);
-    return score_by_pattern(*trial.pipeline, frames);
+  /// What the numbers are worth; nothing at all where they are no configuration.
+  double worth_of(const std::string& yaml, std::span<const cv::Mat> frames) {
+    try {
+      BuiltPipeline trial = build_pipeline(laid_over(document_, yaml), registry_, silent_);
+      return score_by_pattern(*trial.pipeline, frames).value();
+    } catch (const ConfigError&) {
+      return 0.0;
+    }
   }
 
   void choose_threshold() {
@@ -298,17 +329,21 @@ class Calibrator {
     for (const int gray_threshold : ladder_) {
       const std::string yaml = yaml_for({.best = gray_threshold});
       const auto [entry, is_new] = tried.try_emplace(yaml, 0.0);
-      if (is_new) entry->second = try_out(yaml, frames).value();
+      if (is_new) entry->second = worth_of(yaml, frames);
       worth.push_back(entry->second);
     }
     const auto [first, last] = find_plateau(worth, kAsGood);
 
     threshold_ = {.lowest = ladder_[first], .highest = ladder_[last]};
+    threshold_.given = request_.gray_threshold.has_value();
+    matters_ = tried.size() > 1 || threshold_.given;
+    if (threshold_.given) {
+      threshold_.best = *request_.gray_threshold;
+      return;
+    }
     threshold_.best = static_cast<int>(std::lround(
         threshold_.lowest *
         std::pow(static_cast<double>(threshold_.highest) / threshold_.lowest, kThresholdPlace)));
-    threshold_.given = request_.gray_threshold.has_value();
-    if (threshold_.given) threshold_.best = *request_.gray_threshold;
   }
 
   /// What comes out as a lone team tag or a second ball is shown to the segmenter as such.
@@ -377,8 +412,10 @@ class Calibrator {
     for (const DoubtfulBorder& border : find_doubtful_borders(*final.pipeline, colors)) {
       result_.unsettled.push_back(border.to_string(palette()));
     }
-    result_.findings.push_back(
-        fmt::format("gray threshold {} ({})", threshold_.best, describe(threshold_)));
+    if (matters_) {
+      result_.findings.push_back(
+          fmt::format("gray threshold {} ({})", threshold_.best, describe(threshold_)));
+    }
     numbers_.heading = {
         "Written by maggic calibrate.",
         fmt::format("From {} frames of {} x {}: {}.", frames_.size(), frames_.front().cols,
@@ -394,6 +431,10 @@ class Calibrator {
     const std::shared_ptr<const Field>& field = trial.pipeline->field();
     if (!field) return;
     LightNumbers light;
+    // Who has turned it off keeps it off.
+    const Node* section = request_.document.find("light");
+    const Node* follow = section != nullptr ? section->find("follow") : nullptr;
+    light.follow = follow == nullptr || follow->scalar != "false";
     for (const cv::Mat& frame : frames_) {
       const std::array<double, 3> color = scene_color(frame, *field);
       for (std::size_t c = 0; c < 3; ++c) {
@@ -457,7 +498,6 @@ class Calibrator {
 
   const CalibrationRequest& request_;
   PluginRegistry& registry_;
-  Reporter& reporter_;
   SilentReporter silent_;
   Node document_;
   std::vector<cv::Mat> frames_;
@@ -474,7 +514,9 @@ class Calibrator {
   Naming naming_;
   BallSightings ball_;
   std::unique_ptr<SampleStore> store_;
+  FieldParameters known_field_;
   GrayThreshold threshold_;
+  bool matters_ = false;  ///< The segmenter has a gray threshold.
   CalibrationNumbers numbers_;
   CalibrationResult result_;
 };
@@ -493,9 +535,9 @@ void check_frames(std::span<const cv::Mat> frames) {
 }  // namespace calibration
 
 CalibrationResult calibrate(const CalibrationRequest& request, std::span<const cv::Mat> frames,
-                            PluginRegistry& registry, Reporter& reporter) {
+                            PluginRegistry& registry) {
   calibration::check_frames(frames);
-  return calibration::Calibrator(request, frames, registry, reporter).run();
+  return calibration::Calibrator(request, frames, registry).run();
 }
 
 }  // namespace maggic

@@ -17,6 +17,9 @@ constexpr double kTypicalHue = 24.0;
 constexpr double kDeviationCost = 0.15;
 constexpr double kUnlistedWorth = 0.3;  // a robot whose colours together are no id
 
+constexpr std::size_t kMaxClusters = 20;
+constexpr std::size_t kMaxCandidates = 300;  // of a frame: the best fitting ones
+
 // Small steps are kept apart here: two clusters may get one name, one cluster never gets two.
 constexpr PeakRules kClusterRules{
     .sigma = 1.2, .min_distance = 3, .max_valley = 0.5, .min_height = 0.01};
@@ -97,7 +100,13 @@ class Namer {
         histogram[hue_index(frame.patches[static_cast<std::size_t>(patch)].hue)] += 1.0;
       }
     }
-    const HueClusters clusters = cluster_hues(histogram, kClusterRules);
+    // A hall full of colours must not make the search endless: the rarest hues go first.
+    PeakRules rules = kClusterRules;
+    HueClusters clusters = cluster_hues(histogram, rules);
+    while (clusters.peaks.size() > kMaxClusters && rules.min_height < 1.0) {
+      rules.min_height *= 1.5;
+      clusters = cluster_hues(histogram, rules);
+    }
     options_.resize(clusters.peaks.size());
     deviation_.resize(clusters.peaks.size());
     peaks_ = clusters.peaks;
@@ -108,6 +117,7 @@ class Namer {
         if (a->patches.size() != b->patches.size()) return a->patches.size() > b->patches.size();
         return a->misfit < b->misfit;
       });
+      if (view.order.size() > kMaxCandidates) view.order.resize(kMaxCandidates);
       for (const Patch& patch : frame.patches) {
         view.cluster_of.push_back(clusters.of_hue[hue_index(patch.hue)]);
       }

@@ -60,8 +60,6 @@ class FieldFinder {
     }
     field_.corners_px.clear();
     field_.lens_k1 = field_.lens_k2 = 0.0;
-    field_.focal_length_px.reset();
-    field_.principal_point_px.reset();
     field_.image_size_px = size_;
     field_.half_time = false;
   }
@@ -106,6 +104,17 @@ class FieldFinder {
     parameters.corners_px.assign(estimate.corners.begin(), estimate.corners.end());
     parameters.lens_k1 = estimate.k1;
     return Field(parameters, size_);
+  }
+
+  /// @return false when the fit runs away to corners that are no field.
+  bool try_to_bend(Estimate& estimate) const {
+    try {
+      refine(estimate, true);
+      error_px(estimate);
+      return true;
+    } catch (const std::invalid_argument&) {
+      return false;
+    }
   }
 
   /// How far the lens bends the field's longer side.

@@ -58,6 +58,7 @@ std::vector<ModelLine> field_lines(const FieldParameters& field) {
     circle.points.push_back({kCircleRadiusMm * out, out});
   }
   lines.push_back(std::move(circle));
+  std::erase_if(lines, [](const ModelLine& line) { return line.points.empty(); });
   return lines;
 }
 

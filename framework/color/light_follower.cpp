@@ -117,18 +117,22 @@ std::array<double, 3> scene_color(const cv::Mat& bgr, const Field& field) {
 const ChannelMap* LightFollower::look(const cv::Mat& bgr, const Field& field, Timestamp captured) {
   if (!parameters_.follow || !parameters_.reference_rgb) return nullptr;
   const std::array<double, 3> now = scene_color(bgr, field);
+  // A black picture says nothing of the light: what was known of it stands.
+  if (std::ranges::min(now) < kDarkest) return last_ && is_mapping_ ? &map_ : nullptr;
   const double dt_s =
       last_ ? std::chrono::duration<double>(captured - *last_).count() : kMaxGapS + 1.0;
   last_ = captured;
   const bool follows_on = dt_s >= 0.0 && dt_s <= kMaxGapS && parameters_.settle_s > 0.0;
   const double share = follows_on ? 1.0 - std::exp(-dt_s / parameters_.settle_s) : 1.0;
   for (std::size_t c = 0; c < 3; ++c) {
-    if (now[c] < kDarkest) return nullptr;  // a black picture says nothing of the light
     const double wanted =
         std::clamp((*parameters_.reference_rgb)[c] / now[c], 1.0 / kMostGain, kMostGain);
     gains_[c] += share * (wanted - gains_[c]);
   }
-  if (largest_step(gains_, {1.0, 1.0, 1.0}) <= kUnchanged) return nullptr;
+  // Once begun it goes on until the light is nearer still, so that it never flickers at the edge.
+  is_mapping_ =
+      largest_step(gains_, {1.0, 1.0, 1.0}) > (is_mapping_ ? kUnchanged / 2.0 : kUnchanged);
+  if (!is_mapping_) return nullptr;
   if (mapped_gains_[0] <= 0.0 || largest_step(gains_, mapped_gains_) > kWorthAMap) {
     map_ = {scaled(gains_[2]), scaled(gains_[1]), scaled(gains_[0])};
     mapped_gains_ = gains_;

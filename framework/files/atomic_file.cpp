@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path& file, int error) {
-  throw std::runtime_error(fmt::format("cannot write '{}': {}", file.string(),
-                                       std::generic_category().message(error)));
+  throw std::runtime_error(
+      fmt::format("cannot write '{}': {}", file.string(), std::generic_category().message(error)));
 }
 
 /// A file beside the target that is removed again unless it was kept.
@@ -81,10 +81,10 @@ void write_file_atomically(const fs::path& file, std::string_view content) {
   if (missing) target = file;
   if (fs::is_directory(target, missing)) fail(file, EISDIR);
   TemporaryFile temporary(target);
-  for (const int error : {temporary.write(content), temporary.finish(mode_for(target)),
-                          temporary.rename_to(target)}) {
-    if (error != 0) fail(file, error);
-  }
+  // One after the other: what failed half way must never be renamed over the old file.
+  if (const int error = temporary.write(content)) fail(file, error);
+  if (const int error = temporary.finish(mode_for(target))) fail(file, error);
+  if (const int error = temporary.rename_to(target)) fail(file, error);
 }
 
 }  // namespace maggic

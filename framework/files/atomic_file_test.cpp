@@ -1,10 +1,13 @@
 #include "maggic/atomic_file.hpp"
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace maggic {
@@ -52,6 +55,27 @@ TEST_F(AtomicFile, FollowsALink) {
   write_file_atomically(folder_ / "link.yaml", "new");
   EXPECT_TRUE(fs::is_symlink(folder_ / "link.yaml"));
   EXPECT_EQ(text_of(folder_ / "real.yaml"), "new");
+}
+
+TEST_F(AtomicFile, KeepsTheOldFileWhenTheNewOneCannotBeWrittenWhole) {
+  const fs::path file = folder_ / "a.yaml";
+  write_file_atomically(file, "old");
+  // In a process of its own: the limit on the size of files cannot be lifted again.
+  const auto write_beyond_the_limit = [&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    limit.rlim_cur = limit.rlim_max = 100;
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    try {
+      write_file_atomically(file, std::string(10'000, 'x'));
+    } catch (const std::runtime_error&) {
+      std::_Exit(7);
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(write_beyond_the_limit(), ::testing::ExitedWithCode(7), "");
+  EXPECT_EQ(text_of(file), "old");
+  EXPECT_EQ(files_left(), 1u);
 }
 
 TEST_F(AtomicFile, SaysWhichFileCannotBeWrittenAndWhy) {

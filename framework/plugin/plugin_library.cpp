@@ -50,9 +50,6 @@ boost::dll::shared_library open_library(const std::filesystem::path& file) {
   // rtld_now: a missing symbol is an error here and not a crash in the middle of a match.
   library.load(file, error, boost::dll::load_mode::rtld_now);
   if (error) refuse("cannot be opened: " + loader_message(file));
-  // What plugins bring along (video libraries above all) leaves threads and memory behind that do not
-  // outlive a dlclose: once opened, a plugin stays for the life of the program.
-  ::dlopen(file.c_str(), RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
   return library;
 }
 

@@ -19,10 +19,14 @@
 namespace maggic {
 
 struct CalibrationRequest {
-  /// The pipeline with everything known so far laid over it; its source and sinks are not used.
+  /// The pipeline as it is without a calibration; its source and sinks are not used. What is found
+  /// has to stand on its own, so it is tried on this.
   Node document;
-  /// The document's field section is of this camera, so it stands where the lines tell nothing
-  /// better. Otherwise its corners are another camera's.
+  /// The same with the calibration there was so far laid over it: what has to be matched. Left out:
+  /// `document`.
+  std::optional<Node> with_known;
+  /// The field section of that is of this camera, so it stands where the lines tell nothing better.
+  /// Otherwise its corners are another camera's.
   bool field_is_known = false;
   /// Top-left, top-right, bottom-right, bottom-left; left out: found.
   std::optional<std::array<cv::Point2d, 4>> corners_px;
@@ -54,6 +58,6 @@ struct CalibrationResult {
 /// @throws ConfigError when the pipeline cannot be built; std::invalid_argument when its tracker or
 ///   segmenter cannot be calibrated, or `frames` is empty or of several sizes.
 CalibrationResult calibrate(const CalibrationRequest& request, std::span<const cv::Mat> frames,
-                            PluginRegistry& registry, Reporter& reporter);
+                            PluginRegistry& registry);
 
 }  // namespace maggic

@@ -50,11 +50,12 @@ class LightFollower {
   explicit LightFollower(const LightParameters& parameters) : parameters_(parameters) {}
 
   /// Looks at a frame. @return what to do to its colours; null while they are within 3 % of those
-  /// at calibration, or when not following. Valid until the next call. Factors are kept within
-  /// 1/5 … 5. After a gap or a jump in time the light is believed at once, else smoothed.
+  /// at calibration (1.5 % once it has begun), or when not following. Valid until the next call.
+  /// Factors are kept within 1/5 … 5. After a gap or a jump in time the light is believed at once,
+  /// else smoothed.
   const ChannelMap* look(const cv::Mat& bgr, const Field& field, Timestamp captured);
 
-  /// Factors on red, green, blue at the last look; 1 while nothing is done.
+  /// Factors on red, green, blue as smoothed so far, used or not; 1 before the first look.
   const std::array<double, 3>& gains() const { return gains_; }
 
  private:
@@ -62,6 +63,7 @@ class LightFollower {
   std::array<double, 3> gains_{1.0, 1.0, 1.0};
   std::array<double, 3> mapped_gains_{0.0, 0.0, 0.0};  ///< Those `map_` was made for.
   std::optional<Timestamp> last_;
+  bool is_mapping_ = false;
   ChannelMap map_{};
 };
 

@@ -31,6 +31,12 @@ std::optional<Span> middle_of(std::vector<std::uint8_t>& values) {
   return Span{values[tail], values[values.size() - 1 - tail]};
 }
 
+/// By `steps` to either side; the whole circle where the ends would meet.
+Span widened(const Span& hues, int steps) {
+  if (hues.last - hues.first + 2 * steps >= kHues - 1) return {0, kHues - 1};
+  return {static_cast<int>(at(hues.first - steps)), static_cast<int>(at(hues.last + steps))};
+}
+
 bool holds(const Span& hues, int hue) {
   return static_cast<int>(at(hue - hues.first)) <= static_cast<int>(at(hues.last - hues.first));
 }
@@ -129,9 +135,8 @@ class ExclusionFitter {
 
   /// Hues that tags have too.
   void separate(const Span& group) {
-    const Span hue{static_cast<int>(at(group.first - 1)), static_cast<int>(at(group.last + 1))};
-    const Span near{static_cast<int>(at(group.first - 1 - kNear)),
-                    static_cast<int>(at(group.last + 1 + kNear))};
+    const Span hue = widened(group, 1);
+    const Span near = widened(group, 1 + kNear);
     const auto range_of = [&](std::span<const Hsv> colors, std::uint8_t Hsv::*channel) {
       std::vector<std::uint8_t> values;
       for (const Hsv& color : colors) {

@@ -114,6 +114,11 @@ Border place_border(const Cluster& a, const Cluster& b) {
   return best;
 }
 
+/// Nearest value in [low, high]; the middle where a colour is squeezed to nothing.
+double between(double value, double low, double high) {
+  return low <= high ? std::clamp(value, low, high) : (low + high) / 2.0;
+}
+
 /// Pivots, one a cluster, whose midpoints come nearest to the borders.
 std::vector<double> balance(const std::vector<Cluster>& clusters,
                             const std::vector<double>& borders) {
@@ -133,7 +138,7 @@ std::vector<double> balance(const std::vector<Cluster>& clusters,
       const double next = i + 1 < count ? pivots[i + 1] : pivots[0] + kHues;
       const double wanted =
           (2.0 * before(i) - previous) + (2.0 * borders[i] - next) + kPull * clusters[i].middle;
-      pivots[i] = std::clamp(wanted / (2.0 + kPull), before(i) + 1.0, borders[i] - 1.0);
+      pivots[i] = between(wanted / (2.0 + kPull), before(i) + 1.0, borders[i] - 1.0);
     }
   }
   return pivots;

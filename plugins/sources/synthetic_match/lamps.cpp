@@ -114,10 +114,13 @@ double light_of(const Window& window, cv::Point2d at) {
 /// brightened without changing its cast.
 void set_mean(cv::Mat& light, double mean, double dimmest) {
   const double factor = mean / cv::mean(light)[1];
-  light.forEach<cv::Vec3f>([&](cv::Vec3f& pixel, const int*) {
-    const double green = factor * pixel[1];
-    pixel *= static_cast<float>(factor * std::max(1.0, dimmest / green));
-  });
+  for (int y = 0; y < light.rows; ++y) {
+    for (int x = 0; x < light.cols; ++x) {
+      cv::Vec3f& pixel = light.at<cv::Vec3f>(y, x);
+      const double green = factor * pixel[1];
+      pixel *= static_cast<float>(factor * std::max(1.0, dimmest / green));
+    }
+  }
 }
 
 }  // namespace

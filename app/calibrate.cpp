@@ -50,7 +50,8 @@ void check_corners(const std::array<cv::Point2d, 4>& corners_px) {
 }
 
 /// A calibration may be replaced by a better one, nothing else that is in use may.
-void check_output(const CalibrateOptions& options, const PipelineRequest& request) {
+void check_output(const CalibrateOptions& options, const PipelineRequest& request,
+                  const Node& document) {
   const fs::path& output = options.output;
   std::error_code ignored;
   const auto refuse_if_same = [&](const fs::path& other, std::string_view what) {
@@ -59,7 +60,7 @@ void check_output(const CalibrateOptions& options, const PipelineRequest& reques
         fmt::format("writing '{}' would destroy {}; name another file", output.string(), what));
   };
   refuse_if_same(request.pipeline, "the pipeline itself");
-  if (options.pipeline.source) refuse_if_same(*options.pipeline.source, "what is looked at");
+  if (const auto read = source_path(document)) refuse_if_same(*read, "what is looked at");
   if (fs::is_directory(output, ignored)) {
     throw std::invalid_argument(
         fmt::format("'{}' is a folder, expected the name of a file to "
@@ -102,8 +103,10 @@ void report(const CalibrationResult& result, Console& console) {
 
 ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& line) {
   const PipelineRequest request = make_request(options.pipeline);
-  check_output(options, request);
   CalibrationRequest calibration;
+  std::vector<Mistake> notes;
+  calibration.with_known = merged_document(request, notes);
+  check_output(options, request, *calibration.with_known);
   if (!options.corners.empty()) {
     calibration.corners_px.emplace();
     for (std::size_t i = 0; i < 4; ++i) {
@@ -116,8 +119,6 @@ ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& l
   PluginRegistry registry = make_registry(line);
   Console console(stderr);
   ConsoleReporter reporter(console);
-  std::vector<Mistake> notes;
-  calibration.with_known = merged_document(request, notes);
   calibration.field_is_known = is_field_known(options.pipeline, *calibration.with_known, request);
   PipelineRequest plain = request;
   plain.calibration.reset();

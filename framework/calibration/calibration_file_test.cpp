@@ -10,7 +10,6 @@
 namespace maggic::calibration {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 CalibrationNumbers everything() {

@@ -133,14 +133,16 @@ cv::Mat light_over_picture(LightClass light, cv::Size picture, std::uint64_t see
   const bool is_normal = light == LightClass::kNormal;
   const Hall hall = is_normal ? normal_hall(random, aspect) : challenging_hall(random, aspect);
   cv::Mat gains(picture, CV_32FC3);
-  gains.forEach<cv::Vec3f>([&](cv::Vec3f& pixel, const int* index) {
-    const cv::Point2d at((index[1] - 0.5 * (picture.width - 1)) / height,
-                         (index[0] - 0.5 * (picture.height - 1)) / height);
-    cv::Vec3d sum = hall.ambient;
-    for (const Lamp& lamp : hall.lamps) sum += light_of(lamp, at) * lamp.color;
-    for (const Window& window : hall.windows) sum += light_of(window, at) * window.color;
-    pixel = sum;
-  });
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      const cv::Point2d at((x - 0.5 * (picture.width - 1)) / height,
+                           (y - 0.5 * (picture.height - 1)) / height);
+      cv::Vec3d sum = hall.ambient;
+      for (const Lamp& lamp : hall.lamps) sum += light_of(lamp, at) * lamp.color;
+      for (const Window& window : hall.windows) sum += light_of(window, at) * window.color;
+      gains.at<cv::Vec3f>(y, x) = sum;
+    }
+  }
   set_mean(gains, is_normal ? 1.0 : random.uniform(0.5, 0.7), is_normal ? 0.0 : kDimmest);
   return gains;
 }

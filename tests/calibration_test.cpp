@@ -39,6 +39,12 @@ constexpr bool kIsSlow = true;
 #else
 constexpr bool kIsSlow = false;
 #endif
+// ThreadSanitizer looks at threads; one whole calibration of each kind shows it all there are.
+#if defined(__SANITIZE_THREAD__)
+#define SKIP_WHERE_ONLY_THREADS_MATTER() GTEST_SKIP() << "adds no thread to what other tests run"
+#else
+#define SKIP_WHERE_ONLY_THREADS_MATTER() static_cast<void>(0)
+#endif
 constexpr int kFrames = kIsSlow ? 2 : 12;
 constexpr int kOtherFrames = kIsSlow ? 10 : 100;
 // Of the match; trying all of them takes longest, so only tests that are about finding it do.
@@ -153,6 +159,7 @@ TEST(Calibration, OfAPictureOfOnePixelIsNone) {
 }
 
 TEST(Calibration, KeepsWhatIsGivenByHand) {
+  SKIP_WHERE_ONLY_THREADS_MATTER();
   CalibrationRequest request = request_for("maggic_3v3");
   request.gray_threshold = 41;
   request.corners_px = {{{60.5, 20}, {570, 21}, {571, 455}, {62, 456}}};
@@ -216,6 +223,7 @@ TEST_F(CalibrateProgram, WritesAFileThatCanBeUsed) {
 }
 
 TEST_F(CalibrateProgram, NeverReplacesABetterCalibrationByAWorse) {
+  SKIP_WHERE_ONLY_THREADS_MATTER();
   folder_.write("venue.yaml", "segmenter: {hue_pivots: {gray_threshold: 60}}  # proven\n");
   const std::string before = text_of(output_);
   // So high that it loses the palest tags, but not all.
@@ -243,6 +251,7 @@ TEST_F(CalibrateProgram, ASourceWithoutFramesGivesOne) {
 }
 
 TEST_F(CalibrateProgram, FramesOfAnotherSizeArePassedOver) {
+  SKIP_WHERE_ONLY_THREADS_MATTER();
   std::filesystem::create_directory(folder_.file("stills"));
   save("stills/0.png", match_frames(1)[0]);
   save("stills/1.png", cv::Mat(48, 64, CV_8UC3, cv::Scalar(60, 60, 60)));
@@ -318,6 +327,7 @@ class FootageCalibration : public ::testing::TestWithParam<FootageCase> {
 };
 
 TEST_P(FootageCalibration, MakesEveryObjectComeOutRight) {
+  SKIP_WHERE_ONLY_THREADS_MATTER();
   const FootageCase& c = GetParam();
   if (!std::filesystem::exists(kFootage / (c.clip + ".json"))) {
     GTEST_SKIP() << "no footage at " << kFootage;

@@ -145,6 +145,15 @@ TEST_F(PipelineBuilder, RefusesFilesThatAreNoPipeline) {
                                              HasSubstr(": found a directory")));
 }
 
+TEST_F(PipelineBuilder, ACalibrationForAnotherPluginMayTakeKeysAway) {
+  PipelineRequest request;
+  request.pipeline = std::filesystem::path(MAGGIC_SOURCE_DIR) / "pipelines" / "legacy_3v3.yaml";
+  request.calibration = folder_ / "venue.yaml";
+  std::ofstream(*request.calibration)
+      << "segmenter: {hue_pivots: {pivots: {red: 3, magenta: ~}}}\n";
+  EXPECT_THAT(mistakes(request), IsEmpty());
+}
+
 TEST_F(PipelineBuilder, TellsTheMistakesOfAllSectionsAtOnce) {
   EXPECT_THAT(
       mistakes("palette: {teal: [0, 128], Teal: [0, 0, 0], background: [1, 1, 1]}\n"

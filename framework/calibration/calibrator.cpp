@@ -487,7 +487,9 @@ class Calibrator {
                       palette().name(team)));
     }
     if (pattern_.ball_color != kBackground && ball_.count == 0) {
-      result_.unsettled.push_back("no ball was seen: its colour is as it was before");
+      result_.unsettled.push_back(
+          "no ball was seen: show one and calibrate again, or look into the file for what became "
+          "of its colour");
     }
     if (frames_.size() == 1) {
       result_.unsettled.push_back(

@@ -184,11 +184,21 @@ class Assembly {
     }
   }
 
+  /// `key: ~` takes away what a pipeline has; where there is nothing to take from, it says nothing.
+  static void drop_removals(Node& node) {
+    std::erase_if(node.entries, [](const Node::Entry& entry) {
+      return entry.value.kind == Node::Kind::kNull;
+    });
+    for (Node::Entry& entry : node.entries) drop_removals(entry.value);
+  }
+
   std::vector<Mistake> check_unused(const std::vector<UnusedBlock>& unused, StageBuilder& stages) {
     std::vector<Mistake> notes;
     for (const UnusedBlock& block : unused) {
       Mistake told = note_of(block);
-      if (const std::optional<std::string> reason = stages.check(block.kind, block.block)) {
+      Node::Entry part = block.block;
+      drop_removals(part.value);
+      if (const std::optional<std::string> reason = stages.check(block.kind, part)) {
         told.message += fmt::format("; not checked: {}", *reason);
       }
       notes.push_back(std::move(told));

@@ -52,8 +52,10 @@ void look_at_source(BuiltPipeline& built, Console& console) {
   RunSummary summary;
   {
     const TimeLimit limit(stop);
-    summary = run(built, options, stop, reporter,
-                  [&](const FrameResult& result, const RunSummary&) { colors.offer(result, built.pipeline->channel_map()); });
+    summary =
+        run(built, options, stop, reporter, [&](const FrameResult& result, const RunSummary&) {
+          colors.offer(result, built.pipeline->channel_map());
+        });
   }
   if (summary.processed == 0) {
     console.line(fmt::format("colours were not looked at: {}", summary.first_error.empty()

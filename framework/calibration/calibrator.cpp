@@ -9,15 +9,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+
 #include "calibration/calibration_file.hpp"
 #include "calibration/field_finder.hpp"
 #include "calibration/pattern_score.hpp"
 #include "calibration/plateau.hpp"
 #include "calibration/sample_store.hpp"
-
 #include "calibration/threshold_scan.hpp"
 #include "maggic/border_check.hpp"
 #include "maggic/calibration.hpp"
@@ -352,13 +351,13 @@ class Calibrator {
     BuiltPipeline trial = build_pipeline(laid_over(document_, plain), registry_, silent_);
     const auto strays = find_strays(*trial.pipeline, frames_, ball_, pattern_, identities());
     if (std::ranges::all_of(strays, [](const auto& of_frame) { return of_frame.empty(); })) return;
-    const auto clean = std::make_unique<SampleStore>(*store_);
+    const SampleStore clean = *store_;
     store_->add_strays(chroma_, strays);
     // Robots that are none may go; only those that are there must stay.
     const double before = known_robots(*trial.pipeline);
     BuiltPipeline without =
         build_pipeline(laid_over(document_, yaml_for(threshold_)), registry_, silent_);
-    if (known_robots(*without.pipeline) < (1.0 - kAsGood) * before) *store_ = *clean;
+    if (known_robots(*without.pipeline) < (1.0 - kAsGood) * before) *store_ = clean;
   }
 
   /// Robots of known identities, and balls where there is one, in all frames.
@@ -367,10 +366,7 @@ class Calibrator {
     double count = 0.0;
     score_by_pattern(pipeline, frames_, [&](const FrameResult& result) {
       for (const RobotDetection& robot : result.detections.robots) {
-        const Label team =
-            robot.team == Team::kBlue ? pattern_.blue_team_color : pattern_.yellow_team_color;
-        const Identity identity{team, {robot.player_colors.begin(), robot.player_colors.end()}};
-        if (known.contains(identity)) count += 1.0;
+        if (known.contains(identity_of(robot, pattern_))) count += 1.0;
       }
       const std::optional<Patch>& ball = ball_.by_frame[result.frame.sequence];
       const auto& seen = result.detections.ball;

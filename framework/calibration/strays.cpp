@@ -45,9 +45,7 @@ class StrayFinder {
 
  private:
   bool is_known(const RobotDetection& robot) const {
-    const Label team =
-        robot.team == Team::kBlue ? pattern_.blue_team_color : pattern_.yellow_team_color;
-    return known_.contains({team, {robot.player_colors.begin(), robot.player_colors.end()}});
+    return known_.contains(identity_of(robot, pattern_));
   }
 
   tracking::MetricBlob metric(const Blob& blob, double height_mm) const {
@@ -104,6 +102,12 @@ class StrayFinder {
 };
 
 }  // namespace
+
+Identity identity_of(const RobotDetection& robot, const TrackedPattern& pattern) {
+  const Label team =
+      robot.team == Team::kBlue ? pattern.blue_team_color : pattern.yellow_team_color;
+  return {team, {robot.player_colors.begin(), robot.player_colors.end()}};
+}
 
 std::vector<std::vector<Stray>> find_strays(Pipeline& pipeline, std::span<const cv::Mat> frames,
                                             const BallSightings& ball,

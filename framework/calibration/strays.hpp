@@ -16,6 +16,8 @@ namespace maggic::calibration {
 /// A team's colour and the player colours that go with it, in the layout's order.
 using Identity = std::pair<Label, std::vector<Label>>;
 
+Identity identity_of(const RobotDetection& robot, const TrackedPattern& pattern);
+
 struct Stray {
   cv::Point2d centroid_px;
   double area_px = 0.0;

@@ -54,7 +54,7 @@ void look_at_source(BuiltPipeline& built, Console& console) {
     const TimeLimit limit(stop);
     summary =
         run(built, options, stop, reporter, [&](const FrameResult& result, const RunSummary&) {
-          colors.offer(result, built.pipeline->channel_map());
+          colors.offer(result, built.pipeline->channel_gains());
         });
   }
   if (summary.processed == 0) {

@@ -60,7 +60,7 @@ ExitCode run_and_report(BuiltPipeline& built, const RunOptionsGiven& options, st
                       truth.add(result.detections, scene_of(result.frame.truth),
                                 *built.pipeline->field());
                     }
-                    blob_colors.offer(result, built.pipeline->channel_map());
+                    blob_colors.offer(result, built.pipeline->channel_gains());
                     why.look(*built.pipeline, result, stop);
                     progress.update(result, so_far, expected_frames(options, so_far.source));
                   });

@@ -57,7 +57,7 @@ Score run_and_judge(BuiltPipeline& built, const ScoreOptions& options, const std
     score.summary = run(built, run_options, stop, reporter,
                         [&](const FrameResult& result, const RunSummary& so_far) {
                           progress.update(result, so_far, so_far.source.frame_count);
-                          blob_colors.offer(result, built.pipeline->channel_map());
+                          blob_colors.offer(result, built.pipeline->channel_gains());
                           why.look(*built.pipeline, result, stop);
                           const TrueScene* scene = truth.scene_in(result.frame);
                           if (scene == nullptr && !options.truth) throw no_truth(source);

@@ -6,7 +6,7 @@
 
 #include "bench_frames.hpp"
 #include "maggic/blob_extractor.hpp"
-#include "maggic/run_extractor.hpp"
+#include "maggic/run_scanner.hpp"
 
 namespace maggic {
 namespace {
@@ -14,7 +14,9 @@ namespace {
 void extract(benchmark::State& state) {
   const auto scene = static_cast<bench::Scene>(state.range(0));
   std::vector<Run> runs;
-  extract_runs(bench::frame_of(scene, {640, 480}), bench::maggic_table(), runs);
+  RunScanner scanner;
+  scanner.set_table(bench::maggic_table());
+  scanner.scan(bench::frame_of(scene, {640, 480}), whole_picture({640, 480}), nullptr, runs);
   BlobExtractor extractor;
   const BlobExtractor::Limits limits{.min_area_px = static_cast<double>(state.range(1))};
   std::vector<Blob> blobs;

@@ -6,6 +6,7 @@ find_package(fmt 9 REQUIRED)               # text formatting that is checked at 
 find_package(nlohmann_json 3.11 REQUIRED)  # JSON Lines out, truth and reports in
 find_package(ZLIB REQUIRED)                # pictures of reports as PNG
 find_package(CLI11 2.1 REQUIRED)           # command line of the program, one translation unit
+find_package(hwy 1.0.3 REQUIRED)          # vector instructions, chosen when the program runs
 find_package(Threads REQUIRED)
 if(BUILD_TESTING)
   find_package(GTest 1.12 REQUIRED)        # tests

@@ -33,6 +33,10 @@ Color color_at(std::size_t index) {
           static_cast<int>(index >> 16)};
 }
 
+std::size_t index_of(const Color& color) {
+  return static_cast<std::size_t>(color[0] | color[1] << 8 | color[2] << 16);
+}
+
 int spread_of(const Color& color) {
   const auto [smallest, largest] = std::ranges::minmax(color);
   return largest - smallest;
@@ -88,7 +92,7 @@ std::array<Label, 256> nearest_pivots() {
   return labels;
 }
 
-/// OpenCV's hue of every colour, at the ColorTable's index.
+/// OpenCV's hue of every colour, at `index_of` it.
 const std::vector<std::uint8_t>& opencv_hues() {
   static const std::vector<std::uint8_t> hues = [] {
     std::vector<std::uint8_t> all(ColorTable::kColors);
@@ -114,11 +118,7 @@ constexpr int kThreshold = 25;
 Label nearest_hue(const Color& normalized_color, const Color& hue_color) {
   static const std::array<Label, 256> labels = nearest_pivots();
   if (spread_of(normalized_color) <= kThreshold || spread_of(hue_color) == 0) return kBackground;
-  const std::size_t index =
-      ColorTable::index(static_cast<std::uint8_t>(hue_color[0]),
-                        static_cast<std::uint8_t>(hue_color[1]),
-                        static_cast<std::uint8_t>(hue_color[2]));
-  return labels[opencv_hues()[index]];
+  return labels[opencv_hues()[index_of(hue_color)]];
 }
 
 struct Box {
@@ -149,6 +149,11 @@ Label first_box(const Color& original, const Color& normalized_color) {
   return kBackground;
 }
 
+Label label_in(const ColorTable& table, const Color& color) {
+  return table(static_cast<std::uint8_t>(color[0]), static_cast<std::uint8_t>(color[1]),
+               static_cast<std::uint8_t>(color[2]));
+}
+
 ColorTable compiled(const std::string& normalizer, const char* segmenter, const char* yaml) {
   const auto normalizer_stage = testing::make<Normalizer>(normalizer);
   const auto segmenter_stage = testing::make<Segmenter>(segmenter, yaml);
@@ -172,9 +177,9 @@ TEST_P(CompiledPair, EqualsTheFormulasForEveryColor) {
   for (std::size_t i = 0; i < ColorTable::kColors; i += kStep) {
     const Color color = color_at(i);
     const Color light_free = normalized(normalizer, color);
-    wrong_boxes += boxes.labels()[i] != first_box(color, light_free);
-    wrong_original_hues += original_hues.labels()[i] != nearest_hue(light_free, color);
-    wrong_normalized_hues += normalized_hues.labels()[i] != nearest_hue(light_free, light_free);
+    wrong_boxes += label_in(boxes, color) != first_box(color, light_free);
+    wrong_original_hues += label_in(original_hues, color) != nearest_hue(light_free, color);
+    wrong_normalized_hues += label_in(normalized_hues, color) != nearest_hue(light_free, light_free);
   }
   EXPECT_EQ(wrong_boxes, 0U);
   EXPECT_EQ(wrong_original_hues, 0U);

@@ -9,14 +9,14 @@
 #include <opencv2/core.hpp>
 #include <rapidcheck/gtest.h>
 
-#include "maggic/run_extractor.hpp"
+#include "maggic/run_scanner.hpp"
 
 namespace maggic {
 namespace {
 
 std::vector<Run> runs_of(const cv::Mat& labels) {
   std::vector<maggic::Run> runs;
-  extract_runs(labels, runs);
+  RunScanner().scan_labels(labels, whole_picture(labels.size()), runs);
   return runs;
 }
 

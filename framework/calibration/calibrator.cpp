@@ -404,7 +404,7 @@ class Calibrator {
     BlobColors colors;
     result_.after = score_by_pattern(
         *final.pipeline, evenly<cv::Mat>(frames_, kTrialFrames),
-        [&](const FrameResult& frame) { colors.offer(frame, final.pipeline->channel_map()); });
+        [&](const FrameResult& frame) { colors.offer(frame, final.pipeline->channel_gains()); });
     for (const DoubtfulBorder& border : find_doubtful_borders(*final.pipeline, colors)) {
       result_.unsettled.push_back(border.to_string(palette()));
     }

@@ -6,10 +6,10 @@
 namespace maggic {
 
 // A factor k is right for squared length n when, for every c, q = floor(numerators[c] / sqrt(n)) is
-// the integer part of numerators[c]·k: q / numerators[c] <= k < (q+1) / numerators[c]. Each fraction
-// q / numerators[c] is a lower bound while q² n <= numerators[c]², and an upper bound for all longer
-// colours, so two running extremes over n give the interval that is left. Its middle is far enough
-// from both ends for the rounding of a float; a test checks every n and c.
+// the integer part of numerators[c]·k: q / numerators[c] <= k < (q+1) / numerators[c]. Each
+// fraction q / numerators[c] is a lower bound while q² n <= numerators[c]², and an upper bound for
+// all longer colours, so two running extremes over n give the interval that is left. Its middle is
+// far enough from both ends for the rounding of a float; a test checks every n and c.
 LengthScale::LengthScale(const std::array<std::uint32_t, 256>& numerators)
     : factors_(kMaxSquaredLength + 1, 0.0F) {
   std::vector<double> lower(factors_.size(), 0.0);

@@ -17,13 +17,9 @@ std::uint32_t packed(const cv::Vec3b& bgr) {
   return std::uint32_t{bgr[2]} << 16 | std::uint32_t{bgr[1]} << 8 | bgr[0];
 }
 
-cv::Vec3b through(const ChannelMap& map, const cv::Vec3b& bgr) {
-  return {map.b[bgr[0]], map.g[bgr[1]], map.r[bgr[2]]};
-}
-
 }  // namespace
 
-void BlobColors::offer(const FrameResult& result, const ChannelMap* map) {
+void BlobColors::offer(const FrameResult& result, const ChannelGains* gains) {
   if (offered_++ % stride_ != 0) return;
   if (frames_.size() == kMaxFrames) {
     for (std::size_t i = 0; i < kMaxFrames / 2; ++i) std::swap(frames_[i], frames_[2 * i]);
@@ -42,7 +38,7 @@ void BlobColors::offer(const FrameResult& result, const ChannelMap* map) {
       for (int column = run->begin; column < run->end; ++column) {
         if (seen++ % step != 0) continue;
         const cv::Vec3b color = result.frame.bgr.at<cv::Vec3b>(run->row, column);
-        colors.push_back(packed(map == nullptr ? color : through(*map, color)));
+        colors.push_back(packed(gains == nullptr ? color : (*gains)(color)));
       }
     }
   }

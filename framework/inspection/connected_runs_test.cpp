@@ -5,7 +5,7 @@
 #include <rapidcheck/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "maggic/run_extractor.hpp"
+#include "maggic/run_scanner.hpp"
 
 namespace maggic {
 namespace {
@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 
 std::vector<Run> runs_of(const cv::Mat1b& labels) {
   std::vector<Run> runs;
-  extract_runs(labels, runs);
+  RunScanner().scan_labels(labels, whole_picture(labels.size()), runs);
   return runs;
 }
 

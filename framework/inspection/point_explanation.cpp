@@ -31,10 +31,6 @@ OneColor color_at(const cv::Mat& bgr, cv::Point pixel_px) {
   return {{pixel[0], pixel[1], pixel[2]}};
 }
 
-OneColor through(const ChannelMap& map, const OneColor& color) {
-  return {{map.b[color.bgr[0]], map.g[color.bgr[1]], map.r[color.bgr[2]]}};
-}
-
 std::string hsv_text(const OneColor& color) {
   const cv::Mat3b bgr(1, 1, cv::Vec3b(color.bgr[0], color.bgr[1], color.bgr[2]));
   cv::Mat3b hsv;
@@ -51,8 +47,8 @@ class Walk {
   std::vector<StageAnswer> answers() {
     original_ = color_at(result_.frame.bgr, pixel_px_);
     add("pixel", fmt::format("{}, {}", original_.to_string(), hsv_text(original_)));
-    if (const ChannelMap* map = pipeline_.channel_map()) {
-      original_ = through(*map, original_);
+    if (const ChannelGains* gains = pipeline_.channel_gains()) {
+      for (std::size_t c = 0; c < 3; ++c) original_.bgr[c] = (*gains)(c, original_.bgr[c]);
       add("light", fmt::format("{}, {}, in the light of the calibration", original_.to_string(),
                                hsv_text(original_)));
     }

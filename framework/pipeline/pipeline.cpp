@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "maggic/frame_conversion.hpp"
-#include "maggic/run_extractor.hpp"
 #include "pipeline/image_path.hpp"
 #include "pipeline/stage_guard.hpp"
 
@@ -49,6 +48,7 @@ Pipeline::Pipeline(PipelineParts parts, Reporter& reporter)
   StopWatch watch;
   guarded(StageKind::kSegmenter, parts_.segmenter.name, "while its colour table was compiled",
           [&] { table_ = ColorTable::compile(*normalizer, *segmenter, parts_.palette.size()); });
+  scanner_.set_table(*table_);
   table_compile_time_ = watch.lap();
 }
 
@@ -100,29 +100,26 @@ void Pipeline::take_size(cv::Size size) {
   blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_blobs = static_cast<std::size_t>(parts_.blobs.max_blobs);
+  scan_area_ = whole_picture(size);
   field_ = std::move(field);
 }
 
 void Pipeline::segment(FrameResult& result) {
-  channel_map_ = light_follower_.look(result.frame.bgr, *field_, result.frame.captured);
-  if (table_ && channel_map_ != nullptr) {
-    extract_runs(result.frame.bgr, *table_, *channel_map_, result.runs);
-    return;
-  }
+  channel_gains_ = light_follower_.look(result.frame.bgr, *field_, result.frame.captured);
   if (table_) {
-    extract_runs(result.frame.bgr, *table_, result.runs);
+    scanner_.scan(result.frame.bgr, scan_area_, channel_gains_, result.runs);
     return;
   }
   const AtFrame when{result.frame.sequence};
-  if (channel_map_ != nullptr) apply(*channel_map_, result.frame.bgr, balanced_);
-  const cv::Mat& bgr = channel_map_ != nullptr ? balanced_ : result.frame.bgr;
+  if (channel_gains_ != nullptr) apply(*channel_gains_, result.frame.bgr, balanced_);
+  const cv::Mat& bgr = channel_gains_ != nullptr ? balanced_ : result.frame.bgr;
   guarded(StageKind::kNormalizer, parts_.normalizer.name, when,
           [&] { image_path_->normalize(bgr, *parts_.normalizer.stage); });
   const cv::Mat& labels = guarded(
       StageKind::kSegmenter, parts_.segmenter.name, when, [&]() -> const cv::Mat& {
         return image_path_->segment(bgr, *parts_.segmenter.stage, parts_.palette.size());
       });
-  extract_runs(labels, result.runs);
+  scanner_.scan_labels(labels, scan_area_, result.runs);
 }
 
 }  // namespace maggic

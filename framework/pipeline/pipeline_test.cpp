@@ -60,14 +60,14 @@ TEST(Pipeline, SeesADimmedPictureAsTheCalibrationDid) {
     FrameResult result;
     result.frame.bgr = red_square(64, 48);
     rig.built.pipeline->process(result);
-    EXPECT_EQ(rig.built.pipeline->channel_map(), nullptr);
+    EXPECT_EQ(rig.built.pipeline->channel_gains(), nullptr);
     const std::vector<maggic::Run> in_full_light = result.runs;
 
     result.frame.captured += std::chrono::minutes(1);
     result.frame.bgr = red_square(64, 48) * 0.3;
     const cv::Mat as_captured = result.frame.bgr.clone();
     rig.built.pipeline->process(result);
-    EXPECT_NE(rig.built.pipeline->channel_map(), nullptr);
+    EXPECT_NE(rig.built.pipeline->channel_gains(), nullptr);
     EXPECT_EQ(result.runs, in_full_light);
     EXPECT_EQ(cv::norm(result.frame.bgr, as_captured, cv::NORM_INF), 0.0);  // sinks show it as it is
   }

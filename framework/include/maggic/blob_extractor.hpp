@@ -20,7 +20,7 @@ class BlobExtractor {
     std::size_t max_blobs = 4096;  ///< At most so many are given; on noise the largest stay.
   };
 
-  /// Replaces `blobs` by the blobs of `runs`, which must be ordered as `extract_runs` leaves them.
+  /// Replaces `blobs` by the blobs of `runs`, which must be ordered as RunScanner leaves them.
   /// Blobs come in the order of their first run.
   /// @return how many blobs within the area limits were left out because of `max_blobs`.
   std::size_t extract(std::span<const Run> runs, const Limits& limits, std::vector<Blob>& blobs);

@@ -23,9 +23,9 @@ class BlobColors {
 
   /// Takes the colours of a processed frame when its turn has come: of 8, 16, 32, … frames every
   /// first, second, fourth, … is kept. Cheap enough for the run loop's `on_frame`.
-  /// @param map what the pipeline sent the frame's colours through, if anything:
-  ///   Pipeline::channel_map().
-  void offer(const FrameResult& result, const ChannelMap* map = nullptr);
+  /// @param gains what the pipeline multiplied the frame's colours by, if anything:
+  ///   Pipeline::channel_gains().
+  void offer(const FrameResult& result, const ChannelGains* gains = nullptr);
 
   /// One colour and in how many pixels it was seen.
   struct Count {

@@ -2,9 +2,8 @@
 /// Light that changes during a match: colours are taken back to the light they were calibrated in.
 ///
 /// The floor with its lines is the same all day, so what its colour is now, over what it was then,
-/// is what the light did. Each channel is multiplied by the inverse, through a table of 256
-/// entries, before the ColorTable is asked; the method itself stays as calibrated and costs three
-/// look-ups a pixel more, and nothing while the light is as it was.
+/// is what the light did. Each channel is multiplied by the inverse before the ColorTable is asked;
+/// the method itself stays as calibrated, and nothing is multiplied while the light is as it was.
 
 #include <array>
 #include <cstdint>
@@ -12,6 +11,7 @@
 
 #include <opencv2/core/mat.hpp>
 
+#include "maggic/channel_gains.hpp"
 #include "maggic/field.hpp"
 #include "maggic/frame.hpp"
 #include "maggic/parameters.hpp"
@@ -28,16 +28,6 @@ struct LightParameters {
   void describe(Parameters& parameters);
 };
 
-/// New value of each channel's old ones.
-struct ChannelMap {
-  std::array<std::uint8_t, 256> b;
-  std::array<std::uint8_t, 256> g;
-  std::array<std::uint8_t, 256> r;
-};
-
-/// Sends every pixel through `map`. @param bgr CV_8UC3. @param mapped set to its size and type.
-void apply(const ChannelMap& map, const cv::Mat& bgr, cv::Mat& mapped);
-
 /// Red, green and blue of the field as a whole, 8-bit steps: of each channel the mean of the middle
 /// half of the values on a grid of pixels inside the field, so robots, lines and hands weigh
 /// little.
@@ -53,7 +43,7 @@ class LightFollower {
   /// at calibration (1.5 % once it has begun), or when not following. Valid until the next call.
   /// Factors are kept within 1/5 … 5. After a gap or a jump in time the light is believed at once,
   /// else smoothed.
-  const ChannelMap* look(const cv::Mat& bgr, const Field& field, Timestamp captured);
+  const ChannelGains* look(const cv::Mat& bgr, const Field& field, Timestamp captured);
 
   /// Factors on red, green, blue as smoothed so far, used or not; 1 before the first look.
   const std::array<double, 3>& gains() const { return gains_; }
@@ -61,10 +51,10 @@ class LightFollower {
  private:
   LightParameters parameters_;
   std::array<double, 3> gains_{1.0, 1.0, 1.0};
-  std::array<double, 3> mapped_gains_{0.0, 0.0, 0.0};  ///< Those `map_` was made for.
+  std::array<double, 3> used_gains_{0.0, 0.0, 0.0};  ///< Those `fixed_` was made for.
   std::optional<Timestamp> last_;
-  bool is_mapping_ = false;
-  ChannelMap map_{};
+  bool is_scaling_ = false;
+  ChannelGains fixed_;
 };
 
 }  // namespace maggic

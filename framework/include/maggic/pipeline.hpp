@@ -14,6 +14,8 @@
 #include "maggic/frame_result.hpp"
 #include "maggic/light_follower.hpp"
 #include "maggic/plugin_registry.hpp"
+#include "maggic/run_scanner.hpp"
+#include "maggic/scan_area.hpp"
 
 namespace maggic {
 
@@ -81,9 +83,9 @@ class Pipeline {
   const Palette& palette() const { return parts_.palette; }
   const PipelineParts& parts() const { return parts_; }
 
-  /// What the latest frame's colours were sent through before anything judged them; null when they
+  /// What the latest frame's colours were multiplied by before anything judged them; null when they
   /// were taken as they came.
-  const ChannelMap* channel_map() const { return channel_map_; }
+  const ChannelGains* channel_gains() const { return channel_gains_; }
 
   /// The compiled table; nothing when a stage needs the picture.
   const ColorTable* color_table() const { return table_ ? &*table_ : nullptr; }
@@ -105,9 +107,11 @@ class Pipeline {
   Reporter& reporter_;
   std::optional<ColorTable> table_;
   std::chrono::nanoseconds table_compile_time_{0};
+  RunScanner scanner_;
+  ScanArea scan_area_;
   LightFollower light_follower_;
-  const ChannelMap* channel_map_ = nullptr;  ///< Into the follower.
-  cv::Mat balanced_;  ///< The picture through the channel map, for image stages.
+  const ChannelGains* channel_gains_ = nullptr;  ///< Into the follower.
+  cv::Mat balanced_;  ///< The picture times the gains, for image stages.
   std::unique_ptr<ImagePath> image_path_;  ///< Used when there is no table.
   std::shared_ptr<const Field> field_;
   BlobExtractor::Limits blob_limits_px_;

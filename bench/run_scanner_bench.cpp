@@ -5,19 +5,21 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_frames.hpp"
-#include "maggic/run_extractor.hpp"
+#include "maggic/run_scanner.hpp"
 
 namespace maggic {
 namespace {
 
-void extract(benchmark::State& state) {
+void scan(benchmark::State& state) {
   const auto scene = static_cast<bench::Scene>(state.range(0));
   const cv::Mat frame = bench::frame_of(
       scene, {static_cast<int>(state.range(1)), static_cast<int>(state.range(2))});
-  const ColorTable& table = bench::maggic_table();
+  RunScanner scanner;
+  scanner.set_table(bench::maggic_table());
+  const ScanArea area = whole_picture(frame.size());
   std::vector<Run> runs;
   for (auto _ : state) {
-    extract_runs(frame, table, runs);
+    scanner.scan(frame, area, nullptr, runs);
     benchmark::DoNotOptimize(runs.data());
   }
   state.SetLabel(bench::name_of(scene));
@@ -28,7 +30,7 @@ void extract(benchmark::State& state) {
       benchmark::Counter(static_cast<double>(frame.total()), seconds_per_item);
 }
 
-BENCHMARK(extract)
+BENCHMARK(scan)
     ->ArgsProduct({{0, 1, 2, 3, 4}, {640}, {480}})
     ->ArgsProduct({{0, 1, 2, 3, 4}, {1920}, {1080}})
     ->Unit(benchmark::kMicrosecond);

@@ -65,14 +65,14 @@ TEST(LightFollower, DoesNothingUnlessAsked) {
 
 TEST(LightFollower, TakesDimWarmLightBackToTheCalibration) {
   LightFollower follower(following());
-  const ChannelMap* map =
+  const ChannelGains* gains =
       follower.look(floor_in_light(0.5, 0.4, 0.25), field_for(kSize), milliseconds(0));
-  ASSERT_THAT(map, NotNull());
-  EXPECT_EQ(map->r[30], 60);
-  EXPECT_EQ(map->g[20], 50);
-  EXPECT_EQ(map->b[10], 40);
-  EXPECT_EQ(map->b[0], 0);
-  EXPECT_EQ(map->b[200], 255);  // brighter than the sensor can tell
+  ASSERT_THAT(gains, NotNull());
+  EXPECT_EQ((*gains)(2, 30), 60);
+  EXPECT_EQ((*gains)(1, 20), 50);
+  EXPECT_EQ((*gains)(0, 10), 40);
+  EXPECT_EQ((*gains)(0, 0), 0);
+  EXPECT_EQ((*gains)(0, 200), 255);  // brighter than the sensor can tell
 }
 
 TEST(LightFollower, SettlesOverHalfASecondOfCaptureTime) {
@@ -107,10 +107,10 @@ RC_GTEST_PROP(LightFollower, TakesAnyLightBackToWithinAStep, ()) {
   const double blue = *rc::gen::inRange(25, 300) / 100.0;
   LightFollower follower(following());
   const cv::Mat picture = floor_in_light(red, green, blue);
-  const ChannelMap* map = follower.look(picture, field_for(kSize), milliseconds(0));
-  cv::Mat mapped = picture.clone();
-  if (map != nullptr) apply(*map, picture, mapped);
-  const cv::Vec3b floor = mapped.at<cv::Vec3b>(120, 160);
+  const ChannelGains* gains = follower.look(picture, field_for(kSize), milliseconds(0));
+  cv::Mat scaled = picture.clone();
+  if (gains != nullptr) apply(*gains, picture, scaled);
+  const cv::Vec3b floor = scaled.at<cv::Vec3b>(120, 160);
   for (int channel = 0; channel < 3; ++channel) {
     RC_ASSERT(std::abs(floor[channel] - kFloor[channel]) <= 2);
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr int kGridSteps = 64;         // along the field's longer side
 constexpr double kInsideShare = 0.92;  // of the field: no walls
 constexpr double kUnchanged = 0.03;
-constexpr double kWorthAMap = 0.004;  // smaller changes keep the map there is
+constexpr double kWorthNewGains = 0.004;  // smaller changes keep those there are
 constexpr double kMostGain = 5.0;
 constexpr double kMaxGapS = 2.0;
 constexpr double kDarkest = 1.0;  // 8-bit steps; of less nothing can be told
@@ -29,15 +29,6 @@ double middle_mean(const std::array<int, 256>& histogram, int count) {
     below = above;
   }
   return sum / (to - from);
-}
-
-std::array<std::uint8_t, 256> scaled(double gain) {
-  std::array<std::uint8_t, 256> map{};
-  for (int value = 0; value < 256; ++value) {
-    map[static_cast<std::size_t>(value)] =
-        static_cast<std::uint8_t>(std::min(255.0, gain * value + 0.5));
-  }
-  return map;
 }
 
 double largest_step(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -64,19 +55,6 @@ void LightParameters::describe(Parameters& p) {
   p.check("follow", !follow || known,
           "found true without reference_rgb, expected the field's colour at calibration beside it "
           "(maggic calibrate writes it)");
-}
-
-void apply(const ChannelMap& map, const cv::Mat& bgr, cv::Mat& mapped) {
-  mapped.create(bgr.size(), CV_8UC3);
-  for (int y = 0; y < bgr.rows; ++y) {
-    const std::uint8_t* in = bgr.ptr(y);
-    std::uint8_t* out = mapped.ptr(y);
-    for (int x = 0; x < bgr.cols; ++x, in += 3, out += 3) {
-      out[0] = map.b[in[0]];
-      out[1] = map.g[in[1]];
-      out[2] = map.r[in[2]];
-    }
-  }
 }
 
 std::array<double, 3> scene_color(const cv::Mat& bgr, const Field& field) {
@@ -114,11 +92,12 @@ std::array<double, 3> scene_color(const cv::Mat& bgr, const Field& field) {
   return mean;
 }
 
-const ChannelMap* LightFollower::look(const cv::Mat& bgr, const Field& field, Timestamp captured) {
+const ChannelGains* LightFollower::look(const cv::Mat& bgr, const Field& field,
+                                        Timestamp captured) {
   if (!parameters_.follow || !parameters_.reference_rgb) return nullptr;
   const std::array<double, 3> now = scene_color(bgr, field);
   // A black picture says nothing of the light: what was known of it stands.
-  if (std::ranges::min(now) < kDarkest) return last_ && is_mapping_ ? &map_ : nullptr;
+  if (std::ranges::min(now) < kDarkest) return last_ && is_scaling_ ? &fixed_ : nullptr;
   const double dt_s =
       last_ ? std::chrono::duration<double>(captured - *last_).count() : kMaxGapS + 1.0;
   last_ = captured;
@@ -130,14 +109,14 @@ const ChannelMap* LightFollower::look(const cv::Mat& bgr, const Field& field, Ti
     gains_[c] += share * (wanted - gains_[c]);
   }
   // Once begun it goes on until the light is nearer still, so that it never flickers at the edge.
-  is_mapping_ =
-      largest_step(gains_, {1.0, 1.0, 1.0}) > (is_mapping_ ? kUnchanged / 2.0 : kUnchanged);
-  if (!is_mapping_) return nullptr;
-  if (mapped_gains_[0] <= 0.0 || largest_step(gains_, mapped_gains_) > kWorthAMap) {
-    map_ = {scaled(gains_[2]), scaled(gains_[1]), scaled(gains_[0])};
-    mapped_gains_ = gains_;
+  is_scaling_ =
+      largest_step(gains_, {1.0, 1.0, 1.0}) > (is_scaling_ ? kUnchanged / 2.0 : kUnchanged);
+  if (!is_scaling_) return nullptr;
+  if (used_gains_[0] <= 0.0 || largest_step(gains_, used_gains_) > kWorthNewGains) {
+    fixed_ = ChannelGains({gains_[2], gains_[1], gains_[0]});
+    used_gains_ = gains_;
   }
-  return &map_;
+  return &fixed_;
 }
 
 }  // namespace maggic

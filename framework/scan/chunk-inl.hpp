@@ -1,5 +1,5 @@
-/// What the scan does with a chunk of neighbouring pixels at once, for one vector instruction set:
-/// included once for each, by Highway's rules.
+/// What the scan does with a chunk of 64 neighbouring pixels at once, for one vector instruction
+/// set: included once for each, by Highway's rules. Bit i of a 64-bit word stands for pixel i.
 
 #if defined(MAGGIC_SCAN_CHUNK_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef MAGGIC_SCAN_CHUNK_INL_HPP
@@ -21,71 +21,65 @@ HWY_BEFORE_NAMESPACE();
 namespace maggic {
 namespace HWY_NAMESPACE {
 
-// A 64-bit word holds a bit for each pixel of a chunk.
-inline constexpr std::size_t kLargestChunk = 64;
+inline constexpr std::size_t kChunk = 64;
 
 // A chunk's pixels as places in the table, in their order.
 struct Places {
-  alignas(64) std::uint16_t block[kLargestChunk];
-  alignas(64) std::uint16_t within[kLargestChunk];
+  alignas(64) std::uint16_t block[kChunk];
+  alignas(64) std::uint16_t within[kChunk];
 };
 
 #if HWY_TARGET == HWY_SCALAR
 
 // Plain code, for machines without any of the instruction sets; the compiler vectorises it as it
 // can.
-inline std::size_t chunk_size() { return kLargestChunk; }
+template <bool kScaled>
+std::uint32_t channel(const std::uint8_t* pixel, std::size_t c, const ColorLookUp& look_up) {
+  if constexpr (!kScaled) return pixel[c];
+  return std::min((pixel[c] * std::uint32_t{look_up.gains_q12[c]} + 2048) >> 12,
+                  std::uint32_t{255});
+}
 
-template <bool kGated, bool kScaled>
-std::uint64_t find_candidates(const std::uint8_t* bgr, const ColorLookUp& look_up, Places& places) {
-  std::uint64_t candidates = kGated ? 0 : ~std::uint64_t{0};
-  for (std::size_t i = 0; i < kLargestChunk; ++i) {
-    std::uint32_t c[3] = {bgr[3 * i], bgr[3 * i + 1], bgr[3 * i + 2]};
-    if constexpr (kScaled) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        c[k] = std::min((c[k] * look_up.gains_q12[k] + 2048) >> 12, std::uint32_t{255});
-      }
-    }
-    if constexpr (kGated) {
-      const std::uint32_t value = std::max({c[0], c[1], c[2]});
-      const std::uint32_t spread = value - std::min({c[0], c[1], c[2]});
-      const bool is_candidate = spread >= look_up.first_colored_spread[value >> 4];
-      candidates |= std::uint64_t{is_candidate} << i;
-    }
-    places.block[i] =
-        static_cast<std::uint16_t>(c[0] >> 3 | (c[1] & 0xF8) << 2 | (c[2] & 0xF8) << 7);
-    places.within[i] = static_cast<std::uint16_t>((c[0] & 7) | (c[1] & 7) << 3 | (c[2] & 7) << 6);
+template <bool kScaled>
+std::uint64_t find_candidates(const std::uint8_t* bgr, const ColorLookUp& look_up) {
+  std::uint64_t candidates = 0;
+  for (std::size_t i = 0; i < kChunk; ++i) {
+    const std::uint32_t b = channel<kScaled>(bgr + 3 * i, 0, look_up);
+    const std::uint32_t g = channel<kScaled>(bgr + 3 * i, 1, look_up);
+    const std::uint32_t r = channel<kScaled>(bgr + 3 * i, 2, look_up);
+    const std::uint32_t value = std::max(std::max(b, g), r);
+    const std::uint32_t spread = value - std::min(std::min(b, g), r);
+    const bool is_candidate = spread >= look_up.first_colored_spread[value >> 4];
+    candidates |= std::uint64_t{is_candidate} << i;
   }
   return candidates;
 }
 
-inline void clear(Label* chunk) { std::memset(chunk, kBackground, kLargestChunk); }
-
-inline std::uint64_t copy_labels(const Label* source, Label* chunk) {
-  std::memcpy(chunk, source, kLargestChunk);
-  std::uint64_t colored = 0;
-  for (std::size_t i = 0; i < kLargestChunk; ++i) colored |= std::uint64_t{source[i] != 0} << i;
-  return colored;
+template <bool kScaled>
+void find_places(const std::uint8_t* bgr, const ColorLookUp& look_up, Places& places) {
+  for (std::size_t i = 0; i < kChunk; ++i) {
+    const std::uint32_t b = channel<kScaled>(bgr + 3 * i, 0, look_up);
+    const std::uint32_t g = channel<kScaled>(bgr + 3 * i, 1, look_up);
+    const std::uint32_t r = channel<kScaled>(bgr + 3 * i, 2, look_up);
+    places.block[i] = static_cast<std::uint16_t>(b >> 3 | (g & 0xF8) << 2 | (r & 0xF8) << 7);
+    places.within[i] = static_cast<std::uint16_t>((b & 7) | (g & 7) << 3 | (r & 7) << 6);
+  }
 }
 
-inline std::uint64_t changes_of(const Label* chunk) {
-  std::uint64_t changes = 0;
-  for (std::size_t i = 0; i < kLargestChunk; ++i) {
-    changes |= std::uint64_t{chunk[i] != *(chunk + i - 1)} << i;
-  }
-  return changes;
+inline std::uint64_t differing(const Label* labels, const Label* others) {
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kChunk; ++i) bits |= std::uint64_t{labels[i] != others[i]} << i;
+  return bits;
 }
 
 #else
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Bytes = hn::CappedTag<std::uint8_t, kLargestChunk>;
+using Bytes = hn::CappedTag<std::uint8_t, kChunk>;
 using Words = hn::Repartition<std::uint16_t, Bytes>;
 using ByteVector = hn::Vec<Bytes>;
 using WordVector = hn::Vec<Words>;
-
-HWY_INLINE std::size_t chunk_size() { return hn::Lanes(Bytes()); }
 
 HWY_INLINE std::uint64_t bits_of(hn::Mask<Bytes> mask) {
   std::uint64_t bits = 0;
@@ -115,44 +109,8 @@ HWY_INLINE ByteVector scaled(ByteVector values, std::uint16_t factor_q12) {
   return hn::BitCast(Bytes(), hn::Or(even, hn::ShiftLeft<8>(odd)));
 }
 
-HWY_INLINE std::uint64_t may_be_colored(const Pixels& p, const std::uint8_t* first_colored_spread) {
-  const Bytes d;
-  const ByteVector value = hn::Max(hn::Max(p.b, p.g), p.r);
-  const ByteVector spread = hn::Sub(value, hn::Min(hn::Min(p.b, p.g), p.r));
-  const ByteVector table = hn::LoadDup128(d, first_colored_spread);
-  const ByteVector first = hn::TableLookupBytes(table, hn::ShiftRight<4>(value));
-  return bits_of(hn::Eq(hn::Max(spread, first), spread));
-}
-
-HWY_INLINE WordVector bits(WordVector v, std::uint16_t mask) {
-  return hn::And(v, hn::Set(Words(), mask));
-}
-
-HWY_INLINE void find_places(const Pixels& p, Places& places) {
-  const Words d;
-  const WordVector b = hn::BitCast(d, p.b);
-  const WordVector g = hn::BitCast(d, p.g);
-  const WordVector r = hn::BitCast(d, p.r);
-  const WordVector even_blocks =
-      hn::Or(bits(hn::ShiftRight<3>(b), 0x1F),
-             hn::Or(hn::ShiftLeft<2>(bits(g, 0xF8)), hn::ShiftLeft<7>(bits(r, 0xF8))));
-  const WordVector odd_blocks =
-      hn::Or(hn::ShiftRight<11>(b),
-             hn::Or(bits(hn::ShiftRight<6>(g), 0x3E0), bits(hn::ShiftRight<1>(r), 0x7C00)));
-  const WordVector even_within =
-      hn::Or(bits(b, 7), hn::Or(hn::ShiftLeft<3>(bits(g, 7)), hn::ShiftLeft<6>(bits(r, 7))));
-  const WordVector odd_within =
-      hn::Or(bits(hn::ShiftRight<8>(b), 7),
-             hn::Or(bits(hn::ShiftRight<5>(g), 0x38), bits(hn::ShiftRight<2>(r), 0x1C0)));
-  hn::StoreInterleaved2(even_blocks, odd_blocks, d, places.block);
-  hn::StoreInterleaved2(even_within, odd_within, d, places.within);
-}
-
-// A bit for every pixel that the gate cannot tell to be background, and where its label stands.
-// The places are not written when there is none.
-template <bool kGated, bool kScaled>
-HWY_INLINE std::uint64_t find_candidates(const std::uint8_t* bgr, const ColorLookUp& look_up,
-                                         Places& places) {
+template <bool kScaled>
+HWY_INLINE Pixels load_pixels(const std::uint8_t* bgr, const ColorLookUp& look_up) {
   Pixels p;
   hn::LoadInterleaved3(Bytes(), bgr, p.b, p.g, p.r);
   if constexpr (kScaled) {
@@ -160,28 +118,65 @@ HWY_INLINE std::uint64_t find_candidates(const std::uint8_t* bgr, const ColorLoo
     p.g = scaled(p.g, look_up.gains_q12[1]);
     p.r = scaled(p.r, look_up.gains_q12[2]);
   }
-  std::uint64_t candidates = ~std::uint64_t{0};
-  if constexpr (kGated) {
-    candidates = may_be_colored(p, look_up.first_colored_spread);
-    if (candidates == 0) return 0;
+  return p;
+}
+
+// The pixels that the gate cannot tell to be background.
+template <bool kScaled>
+HWY_INLINE std::uint64_t find_candidates(const std::uint8_t* bgr, const ColorLookUp& look_up) {
+  const Bytes d;
+  const ByteVector first_by_value = hn::LoadDup128(d, look_up.first_colored_spread);
+  const std::size_t lanes = hn::Lanes(d);
+  std::uint64_t candidates = 0;
+  for (std::size_t i = 0; i < kChunk; i += lanes) {
+    const Pixels p = load_pixels<kScaled>(bgr + 3 * i, look_up);
+    const ByteVector value = hn::Max(hn::Max(p.b, p.g), p.r);
+    const ByteVector spread = hn::Sub(value, hn::Min(hn::Min(p.b, p.g), p.r));
+    const ByteVector first = hn::TableLookupBytes(first_by_value, hn::ShiftRight<4>(value));
+    candidates |= bits_of(hn::Eq(hn::Max(spread, first), spread)) << i;
   }
-  find_places(p, places);
   return candidates;
 }
 
-HWY_INLINE void clear(Label* chunk) { hn::Store(hn::Zero(Bytes()), Bytes(), chunk); }
-
-// Copies a chunk of labels. @return a bit for every one that is not background.
-HWY_INLINE std::uint64_t copy_labels(const Label* source, Label* chunk) {
-  const ByteVector labels = hn::LoadU(Bytes(), source);
-  hn::Store(labels, Bytes(), chunk);
-  return bits_of(hn::Ne(labels, hn::Zero(Bytes())));
+HWY_INLINE WordVector bits(WordVector v, std::uint16_t mask) {
+  return hn::And(v, hn::Set(Words(), mask));
 }
 
-// A bit for every label that differs from its left neighbour, the first from the one before the
-// chunk.
-HWY_INLINE std::uint64_t changes_of(const Label* chunk) {
-  return bits_of(hn::Ne(hn::Load(Bytes(), chunk), hn::LoadU(Bytes(), chunk - 1)));
+// Where every pixel's label stands: bytes at even and odd places apart until they are stored.
+template <bool kScaled>
+HWY_INLINE void find_places(const std::uint8_t* bgr, const ColorLookUp& look_up, Places& places) {
+  const Words d;
+  const std::size_t lanes = hn::Lanes(Bytes());
+  for (std::size_t i = 0; i < kChunk; i += lanes) {
+    const Pixels p = load_pixels<kScaled>(bgr + 3 * i, look_up);
+    const WordVector b = hn::BitCast(d, p.b);
+    const WordVector g = hn::BitCast(d, p.g);
+    const WordVector r = hn::BitCast(d, p.r);
+    const WordVector even_blocks =
+        hn::Or(bits(hn::ShiftRight<3>(b), 0x1F),
+               hn::Or(hn::ShiftLeft<2>(bits(g, 0xF8)), hn::ShiftLeft<7>(bits(r, 0xF8))));
+    const WordVector odd_blocks =
+        hn::Or(hn::ShiftRight<11>(b),
+               hn::Or(bits(hn::ShiftRight<6>(g), 0x3E0), bits(hn::ShiftRight<1>(r), 0x7C00)));
+    const WordVector even_within =
+        hn::Or(bits(b, 7), hn::Or(hn::ShiftLeft<3>(bits(g, 7)), hn::ShiftLeft<6>(bits(r, 7))));
+    const WordVector odd_within =
+        hn::Or(bits(hn::ShiftRight<8>(b), 7),
+               hn::Or(bits(hn::ShiftRight<5>(g), 0x38), bits(hn::ShiftRight<2>(r), 0x1C0)));
+    hn::StoreInterleaved2(even_blocks, odd_blocks, d, places.block + i);
+    hn::StoreInterleaved2(even_within, odd_within, d, places.within + i);
+  }
+}
+
+// Where two rows of labels differ.
+HWY_INLINE std::uint64_t differing(const Label* labels, const Label* others) {
+  const Bytes d;
+  const std::size_t lanes = hn::Lanes(d);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < kChunk; i += lanes) {
+    bits |= bits_of(hn::Ne(hn::LoadU(d, labels + i), hn::LoadU(d, others + i))) << i;
+  }
+  return bits;
 }
 
 #endif

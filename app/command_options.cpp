@@ -227,7 +227,7 @@ std::vector<OfferedCommand> offer_commands(CLI::App& app) {
                             "List the plugins found, and files refused with the reason",
                             [](CLI::App&, PluginsOptions&) {}),
       offer<DescribeOptions>(app, "describe",
-                             "Show the parameters of plugins and pipeline sections (field, blobs)",
+                             "Show the parameters of plugins and pipeline sections (field, blobs, light, scan)",
                              describe_describe),
       offer<NewOptions>(app, "new", "Write the folder of a new, working plugin with its test",
                         describe_new),

@@ -64,6 +64,11 @@ std::optional<Description> describe_section(std::string_view name) {
         "section light: following light that changes",
         parameter_table(palette, [](Parameters& p) { LightParameters().describe(p); })};
   }
+  if (name == "scan") {
+    return Description{
+        "section scan: which pixels are looked at, and by how many threads",
+        parameter_table(palette, [](Parameters& p) { ScanParameters().describe(p); })};
+  }
   return std::nullopt;
 }
 
@@ -94,7 +99,7 @@ ExitCode describe_command(const DescribeOptions& options, const CommandLine& lin
   PluginRegistry registry = make_registry(line);
   std::vector<std::string> names = options.names;
   if (names.empty()) {
-    names = {"field", "blobs", "light"};
+    names = {"field", "blobs", "light", "scan"};
     for (const PluginInfo& plugin : registry.scan().plugins) names.push_back(plugin.name);
   }
   ExitCode code = kFine;

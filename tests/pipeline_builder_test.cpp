@@ -174,7 +174,7 @@ TEST_F(PipelineBuilder, TellsTheMistakesOfAllSectionsAtOnce) {
           "pipeline.yaml:4:42: gray_threshold: 300 is out of range, expected an integer from 0 to "
           "255",
           "pipeline.yaml:5:1: unknown section 'trakcer', did you mean 'tracker'? (known: palette, "
-          "plugins, source, normalizer, segmenter, field, blobs, light, tracker, sinks)",
+          "plugins, source, normalizer, segmenter, field, blobs, light, scan, tracker, sinks)",
           StartsWith("pipeline.yaml:6:20: length_mm: found 'long', expected a number from"),
           "pipeline.yaml:7:8: found a list, expected a map of parameters",
           StartsWith("pipeline.yaml:8:17: path: missing, expected text"),

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "maggic/field_area.hpp"
 #include "maggic/frame_conversion.hpp"
 #include "pipeline/image_path.hpp"
 #include "pipeline/stage_guard.hpp"
+#include "search/predicted_search.hpp"
 
 namespace maggic {
 namespace {
@@ -40,8 +42,12 @@ void BlobParameters::describe(Parameters& p) {
 Pipeline::Pipeline(PipelineParts parts, Reporter& reporter)
     : parts_(std::move(parts)),
       reporter_(reporter),
+      scanner_(static_cast<unsigned>(parts_.scan.threads)),
       light_follower_(parts_.light),
       image_path_(std::make_unique<ImagePath>()) {
+  if (parts_.scan.search == ScanParameters::Search::kPredicted) {
+    search_ = std::make_unique<PredictedSearch>(parts_.scan.unseen_frames);
+  }
   const auto* normalizer = dynamic_cast<const ColorNormalizer*>(parts_.normalizer.stage.get());
   const auto* segmenter = dynamic_cast<const ColorSegmenter*>(parts_.segmenter.stage.get());
   if (normalizer == nullptr || segmenter == nullptr) return;
@@ -64,26 +70,18 @@ FrameOutcome Pipeline::process(FrameResult& result) {
     result.times[step] = std::chrono::nanoseconds(0);
   }
 
-  StopWatch watch;
   if (const std::optional<std::string> unusable = convert_to_bgr8(result.frame.bgr)) {
     reporter_.warn(fmt::format("a frame was skipped: {}", *unusable));
     return FrameOutcome::kSkipped;
   }
   take_size(result.frame.bgr.size());
+  find_blobs(result);
 
-  segment(result);
-  result.times[Step::kSegment] = watch.lap();
-
-  const std::size_t left_out =
-      blob_extractor_.extract(result.runs, blob_limits_px_, result.blobs);
-  if (left_out > 0) {
-    reporter_.warn("more blobs than blobs.max_blobs: the smallest were left out");
-  }
-  result.times[Step::kBlobs] = watch.lap();
-
+  StopWatch watch;
   const TrackerInput input{result.frame.sequence, result.frame.captured, result.blobs, *field_};
   guarded(StageKind::kTracker, parts_.tracker.name, AtFrame{result.frame.sequence},
           [&] { parts_.tracker.stage->track(input, result.detections); });
+  if (search_) search_->remember(result.detections);
   result.times[Step::kTrack] = watch.lap();
   return FrameOutcome::kProcessed;
 }
@@ -100,26 +98,56 @@ void Pipeline::take_size(cv::Size size) {
   blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_blobs = static_cast<std::size_t>(parts_.blobs.max_blobs);
-  scan_area_ = whole_picture(size);
+  field_area_ = maggic::field_area(*field, parts_.scan.margin_mm);
+  if (search_) search_->forget();
   field_ = std::move(field);
 }
 
-void Pipeline::segment(FrameResult& result) {
+void Pipeline::find_blobs(FrameResult& result) {
+  StopWatch watch;
   channel_gains_ = light_follower_.look(result.frame.bgr, *field_, result.frame.captured);
-  if (table_) {
-    scanner_.scan(result.frame.bgr, scan_area_, channel_gains_, result.runs);
-    return;
+  const cv::Mat* labels = table_ ? nullptr : segment_image(result);
+  result.times[Step::kSegment] += watch.lap();
+
+  if (search_) {
+    scanned_area_ = search_->plan(result.frame.captured, *field_, field_area_);
+    result.times[Step::kSegment] += watch.lap();
+    if (scanned_area_ != nullptr) {
+      const std::size_t left_out = find_blobs_in(*scanned_area_, labels, result);
+      if (left_out == 0 && search_->accept(result.blobs)) return;
+    }
   }
+  scanned_area_ = &field_area_;
+  if (find_blobs_in(field_area_, labels, result) > 0) {
+    reporter_.warn("more blobs than blobs.max_blobs: the smallest were left out");
+  }
+}
+
+std::size_t Pipeline::find_blobs_in(const ScanArea& area, const cv::Mat* labels,
+                                    FrameResult& result) {
+  StopWatch watch;
+  if (labels != nullptr) {
+    scanner_.scan_labels(*labels, area, result.runs);
+  } else {
+    scanner_.scan(result.frame.bgr, area, channel_gains_, result.runs);
+  }
+  result.times[Step::kSegment] += watch.lap();
+  const std::size_t left_out =
+      blob_extractor_.extract(result.runs, blob_limits_px_, result.blobs);
+  result.times[Step::kBlobs] += watch.lap();
+  return left_out;
+}
+
+const cv::Mat* Pipeline::segment_image(const FrameResult& result) {
   const AtFrame when{result.frame.sequence};
   if (channel_gains_ != nullptr) apply(*channel_gains_, result.frame.bgr, balanced_);
   const cv::Mat& bgr = channel_gains_ != nullptr ? balanced_ : result.frame.bgr;
   guarded(StageKind::kNormalizer, parts_.normalizer.name, when,
           [&] { image_path_->normalize(bgr, *parts_.normalizer.stage); });
-  const cv::Mat& labels = guarded(
+  return &guarded(
       StageKind::kSegmenter, parts_.segmenter.name, when, [&]() -> const cv::Mat& {
         return image_path_->segment(bgr, *parts_.segmenter.stage, parts_.palette.size());
       });
-  scanner_.scan_labels(labels, scan_area_, result.runs);
 }
 
 }  // namespace maggic

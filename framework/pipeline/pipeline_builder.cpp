@@ -67,6 +67,7 @@ class Assembly {
     read_section("field", parts.palette, [&](Parameters& p) { parts.field.describe(p); });
     read_section("blobs", parts.palette, [&](Parameters& p) { parts.blobs.describe(p); });
     read_section("light", parts.palette, [&](Parameters& p) { parts.light.describe(p); });
+    read_section("scan", parts.palette, [&](Parameters& p) { parts.scan.describe(p); });
     check_field(parts.field);
     parts.tracker = build_stage<Tracker>(stages);
     built.sinks = build_sinks(stages);

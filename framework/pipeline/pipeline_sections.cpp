@@ -181,8 +181,8 @@ void apply_assignment(MergedRequest& merged, std::string_view assignment) {
 const std::vector<std::string>& known_sections() {
   static const std::vector<std::string> sections{"palette",    "plugins",   "source",
                                                  "normalizer", "segmenter", "field",
-                                                 "blobs",      "light",     "tracker",
-                                                 "sinks"};
+                                                 "blobs",      "light",     "scan",
+                                                 "tracker",    "sinks"};
   return sections;
 }
 

@@ -208,6 +208,7 @@ std::string BallTracker::explain(const TrackerInput& input, std::span<const Robo
 void BallTracker::report(const TrackerInput& input, Detections& out) const {
   if (!known_) return;
   BallDetection& ball = out.ball.emplace();
+  ball.label = parameters_.ball_color;
   ball.position_mm = filter_.position_mm();
   ball.velocity_mm_s = filter_.velocity_mm_s();
   ball.centroid_px = input.field.to_image_px(ball.position_mm, input.field.ball_height_mm());

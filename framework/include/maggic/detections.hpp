@@ -64,6 +64,7 @@ struct RobotDetection {
 };
 
 struct BallDetection {
+  Label label = kBackground;  ///< Of the ball's colour.
   cv::Point2d position_mm;
   cv::Point2d velocity_mm_s;
   cv::Point2d centroid_px;

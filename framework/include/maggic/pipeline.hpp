@@ -16,10 +16,12 @@
 #include "maggic/plugin_registry.hpp"
 #include "maggic/run_scanner.hpp"
 #include "maggic/scan_area.hpp"
+#include "maggic/scan_parameters.hpp"
 
 namespace maggic {
 
 class ImagePath;
+class PredictedSearch;
 
 /// A stage threw. `what()`: "<kind> '<name>' failed at frame <n>: <message>". Made while the
 /// plugin's library is held, so it outlives the plugin safely.
@@ -50,6 +52,7 @@ struct PipelineParts {
   FieldParameters field;
   BlobParameters blobs;
   LightParameters light;
+  ScanParameters scan;
   NamedStage<Normalizer> normalizer;
   NamedStage<Segmenter> segmenter;
   NamedStage<Tracker> tracker;
@@ -87,6 +90,10 @@ class Pipeline {
   /// were taken as they came.
   const ChannelGains* channel_gains() const { return channel_gains_; }
 
+  /// Which pixels of the latest processed frame were looked at, and which ones ever are.
+  const ScanArea& scanned_area() const { return *scanned_area_; }
+  const ScanArea& field_area() const { return field_area_; }
+
   /// The compiled table; nothing when a stage needs the picture.
   const ColorTable* color_table() const { return table_ ? &*table_ : nullptr; }
   /// The blob limits, in pixels, for the latest processed frame's size; and the scale they were
@@ -101,14 +108,18 @@ class Pipeline {
 
  private:
   void take_size(cv::Size size);
-  void segment(FrameResult& result);
+  void find_blobs(FrameResult& result);
+  std::size_t find_blobs_in(const ScanArea& area, const cv::Mat* labels, FrameResult& result);
+  const cv::Mat* segment_image(const FrameResult& result);
 
   PipelineParts parts_;
   Reporter& reporter_;
   std::optional<ColorTable> table_;
   std::chrono::nanoseconds table_compile_time_{0};
   RunScanner scanner_;
-  ScanArea scan_area_;
+  ScanArea field_area_;
+  const ScanArea* scanned_area_ = &field_area_;
+  std::unique_ptr<PredictedSearch> search_;  ///< Null: the whole field in every frame.
   LightFollower light_follower_;
   const ChannelGains* channel_gains_ = nullptr;  ///< Into the follower.
   cv::Mat balanced_;  ///< The picture times the gains, for image stages.

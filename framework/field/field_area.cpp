@@ -1,0 +1,83 @@
+#include "maggic/field_area.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace maggic {
+namespace {
+
+constexpr int kStepsPerSide = 64;  // straight lines are bent by the lens
+
+// The columns that a closed line reaches in every row of a picture.
+class RowExtents {
+ public:
+  explicit RowExtents(cv::Size size_px)
+      : size_px_(size_px), extents_(static_cast<std::size_t>(size_px.height)) {}
+
+  void add_line(cv::Point2d a, cv::Point2d b) {
+    const double last_row = size_px_.height - 1.0;
+    const double last_column = size_px_.width - 1.0;
+    const auto column = [&](double x) { return static_cast<int>(std::clamp(x, 0.0, last_column)); };
+    // A row more on either side: whoever is cut off by rounding would be cut in half.
+    const double top = std::floor(std::min(a.y, b.y)) - 1.0;
+    const double bottom = std::ceil(std::max(a.y, b.y)) + 1.0;
+    if (bottom < 0.0 || top > last_row) return;
+    const int left = column(std::floor(std::min(a.x, b.x)));
+    const int right = column(std::ceil(std::max(a.x, b.x)));
+    const auto first = static_cast<std::size_t>(std::max(top, 0.0));
+    const auto last = static_cast<std::size_t>(std::min(bottom, last_row));
+    for (std::size_t row = first; row <= last; ++row) {
+      extents_[row].left = std::min(extents_[row].left, left);
+      extents_[row].right = std::max(extents_[row].right, right);
+    }
+  }
+
+  ScanArea area() const {
+    ScanArea area;
+    for (std::size_t row = 0; row < extents_.size(); ++row) {
+      const auto& [left, right] = extents_[row];
+      if (left > right) continue;
+      area.push_back({static_cast<std::uint16_t>(row), static_cast<std::uint16_t>(left),
+                      static_cast<std::uint16_t>(right + 1)});
+    }
+    return area;
+  }
+
+ private:
+  struct Extent {
+    int left = 65535;
+    int right = -1;
+  };
+
+  cv::Size size_px_;
+  std::vector<Extent> extents_;
+};
+
+}  // namespace
+
+ScanArea field_area(const Field& field, double margin_mm) {
+  const FieldParameters& parameters = field.parameters();
+  if (parameters.corners_px.empty()) return whole_picture(field.frame_size_px());
+  const double x = parameters.length_mm / 2.0 + margin_mm;
+  const double y = parameters.width_mm / 2.0 + margin_mm;
+  const std::array<cv::Point2d, 5> outline{{{-x, y}, {x, y}, {x, -y}, {-x, -y}, {-x, y}}};
+  RowExtents extents(field.frame_size_px());
+  for (const double height_mm : {0.0, std::max(field.robot_height_mm(), field.ball_height_mm())}) {
+    cv::Point2d last = field.to_image_px(outline.front(), height_mm);
+    for (std::size_t side = 0; side + 1 < outline.size(); ++side) {
+      for (int step = 1; step <= kStepsPerSide; ++step) {
+        const double share = static_cast<double>(step) / kStepsPerSide;
+        const cv::Point2d next = field.to_image_px(
+            outline[side] + share * (outline[side + 1] - outline[side]), height_mm);
+        extents.add_line(last, next);
+        last = next;
+      }
+    }
+  }
+  return extents.area();
+}
+
+}  // namespace maggic

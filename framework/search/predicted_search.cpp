@@ -1,0 +1,196 @@
+#include "search/predicted_search.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace maggic {
+namespace {
+
+// What a motion may be off the prediction: what wheels, or a kick, can do within a frame.
+constexpr double kRobotSlackMm = 30.0;
+constexpr double kBallSlackMm = 80.0;
+constexpr double kSpeedShare = 0.5;      // of the way expected within the frame
+constexpr double kRobotRadiusMm = 65.0;  // corner to centre, with a tag that reaches over the edge
+constexpr double kBallRadiusMm = 25.0;
+// A new robot's tags all lie within one turn's rows if turns overlap by a robot.
+constexpr double kOverlapMm = 2.0 * kRobotRadiusMm;
+constexpr double kLongestGapS = 0.25;
+constexpr double kMostGrowth = 2.0;  // of a blob's area from frame to frame, either way
+
+double mm_per_px(const Field& field, cv::Point2d point_px, double height_mm) {
+  return std::sqrt(std::max(field.mm2_per_px2(point_px, height_mm), 1e-6));
+}
+
+}  // namespace
+
+void PredictedSearch::forget() {
+  started_ = false;
+  last_.reset();
+}
+
+const ScanArea* PredictedSearch::plan(Timestamp captured, const Field& field,
+                                      const ScanArea& field_area) {
+  const double dt_s =
+      last_ ? std::chrono::duration<double>(captured - *last_).count() : kLongestGapS + 1.0;
+  last_ = captured;
+  if (!started_ || dt_s < 0.0 || dt_s > kLongestGapS) {
+    started_ = true;
+    full_frames_left_ = turns_;
+  }
+  if (full_frames_left_ > 0) {
+    --full_frames_left_;
+    return nullptr;
+  }
+  if (!all_seen_ || field_area.empty()) return nullptr;
+
+  field_area_ = &field_area;
+  regions_.clear();
+  expected_.clear();
+  for (const RobotDetection& robot : seen_.robots) expect_robot(robot, field, dt_s);
+  if (seen_.ball) expect_ball(*seen_.ball, field, dt_s);
+  const cv::Size size = field.frame_size_px();
+  const cv::Point2d middle_px((size.width - 1) / 2.0, (size.height - 1) / 2.0);
+  join_regions_and_turn(field_area,
+                        kOverlapMm / mm_per_px(field, middle_px, field.robot_height_mm()));
+  turn_ = (turn_ + 1) % turns_;
+  return &area_;
+}
+
+void PredictedSearch::expect_robot(const RobotDetection& robot, const Field& field, double dt_s) {
+  const double height_mm = field.robot_height_mm();
+  const double slack_mm = kRobotSlackMm + kSpeedShare * cv::norm(robot.velocity_mm_s) * dt_s;
+  const cv::Point2d position_mm = robot.position_mm + dt_s * robot.velocity_mm_s;
+  add_region(field, position_mm, height_mm, kRobotRadiusMm + slack_mm);
+  const cv::Point2d moved_px =
+      field.to_image_px(position_mm, height_mm) - field.to_image_px(robot.position_mm, height_mm);
+  for (const TagSighting& tag : robot.tags) {
+    expected_.push_back({tag.label, tag.centroid_px + moved_px,
+                         slack_mm / mm_per_px(field, tag.centroid_px, height_mm), tag.area_px});
+  }
+}
+
+void PredictedSearch::expect_ball(const BallDetection& ball, const Field& field, double dt_s) {
+  const double height_mm = field.ball_height_mm();
+  const double slack_mm = kBallSlackMm + kSpeedShare * cv::norm(ball.velocity_mm_s) * dt_s;
+  const cv::Point2d position_mm = ball.position_mm + dt_s * ball.velocity_mm_s;
+  add_region(field, position_mm, height_mm, kBallRadiusMm + slack_mm);
+  const cv::Point2d moved_px =
+      field.to_image_px(position_mm, height_mm) - field.to_image_px(ball.position_mm, height_mm);
+  expected_.push_back({ball.label, ball.centroid_px + moved_px,
+                       slack_mm / mm_per_px(field, ball.centroid_px, height_mm), ball.area_px});
+}
+
+void PredictedSearch::add_region(const Field& field, cv::Point2d position_mm, double height_mm,
+                                 double radius_mm) {
+  cv::Rect2d box(field.to_image_px(position_mm, height_mm), cv::Size2d(0.0, 0.0));
+  double right = box.x;
+  double bottom = box.y;
+  for (const double x : {-radius_mm, radius_mm}) {
+    for (const double y : {-radius_mm, radius_mm}) {
+      const cv::Point2d corner = field.to_image_px(position_mm + cv::Point2d(x, y), height_mm);
+      box.x = std::min(box.x, corner.x);
+      box.y = std::min(box.y, corner.y);
+      right = std::max(right, corner.x);
+      bottom = std::max(bottom, corner.y);
+    }
+  }
+  const cv::Size size = field.frame_size_px();
+  const int left_px = static_cast<int>(std::clamp(std::floor(box.x), 0.0, size.width - 1.0));
+  const int top_px = static_cast<int>(std::clamp(std::floor(box.y), 0.0, size.height - 1.0));
+  const int right_px =
+      static_cast<int>(std::clamp(std::ceil(right) + 1.0, 1.0, double(size.width)));
+  const int bottom_px =
+      static_cast<int>(std::clamp(std::ceil(bottom) + 1.0, 1.0, double(size.height)));
+  regions_.push_back(
+      {left_px, top_px, std::max(1, right_px - left_px), std::max(1, bottom_px - top_px)});
+}
+
+void PredictedSearch::join_regions_and_turn(const ScanArea& field_area, double overlap_px) {
+  std::ranges::sort(regions_, {}, [](const cv::Rect& region) { return region.x; });
+  const int first_row = field_area.front().row;
+  const int rows = field_area.back().row - first_row + 1;
+  const auto turn_begin = [&](int turn) { return first_row + rows * turn / turns_; };
+  const double turn_top = turn_begin(turn_) - overlap_px;
+  const double turn_bottom = turn_begin(turn_ + 1) + overlap_px;
+
+  area_.clear();
+  first_of_row_.assign(static_cast<std::size_t>(field_area.back().row) + 2, 0);
+  std::size_t next_row = 0;
+  for (const RowSpan& span : field_area) {
+    for (; next_row <= span.row; ++next_row) {
+      first_of_row_[next_row] = static_cast<std::uint32_t>(area_.size());
+    }
+    if (span.row >= turn_top && span.row < turn_bottom) {
+      area_.push_back(span);
+      continue;
+    }
+    int begin = 0;
+    int end = 0;  // of what was joined so far; nothing yet
+    const auto take = [&] {
+      const int from = std::max<int>(begin, span.begin);
+      const int to = std::min<int>(end, span.end);
+      if (from < to) {
+        area_.push_back(
+            {span.row, static_cast<std::uint16_t>(from), static_cast<std::uint16_t>(to)});
+      }
+    };
+    for (const cv::Rect& region : regions_) {
+      if (span.row < region.y || span.row >= region.y + region.height) continue;
+      if (region.x > end) {
+        take();
+        begin = region.x;
+        end = region.x;
+      }
+      end = std::max(end, region.x + region.width);
+    }
+    take();
+  }
+  for (; next_row < first_of_row_.size(); ++next_row) {
+    first_of_row_[next_row] = static_cast<std::uint32_t>(area_.size());
+  }
+}
+
+// Whether all of a box that lies in the field's area was looked at.
+bool PredictedSearch::covers(const cv::Rect& box) const {
+  const int first_field_row = field_area_->front().row;
+  const int last_field_row = field_area_->back().row;
+  const int top = std::max(box.y, first_field_row);
+  const int bottom = std::min(box.y + box.height, last_field_row + 1);
+  auto span = std::ranges::lower_bound(*field_area_, top, {}, &RowSpan::row);
+  for (; span != field_area_->end() && span->row < bottom; ++span) {
+    const int begin = std::max<int>(box.x, span->begin);
+    const int end = std::min<int>(box.x + box.width, span->end);
+    if (begin >= end) continue;
+    const auto first = area_.begin() + first_of_row_[span->row];
+    const auto last = area_.begin() + first_of_row_[span->row + 1U];
+    const bool is_seen = std::any_of(
+        first, last, [&](const RowSpan& seen) { return seen.begin <= begin && end <= seen.end; });
+    if (!is_seen) return false;
+  }
+  return true;
+}
+
+bool PredictedSearch::accept(std::vector<Blob>& blobs) const {
+  std::erase_if(blobs, [this](const Blob& blob) {
+    const cv::Rect& box = blob.bounds_px;
+    return !covers({box.x - 1, box.y - 1, box.width + 2, box.height + 2});
+  });
+  return std::ranges::all_of(expected_, [&](const Expected& expected) {
+    return std::ranges::any_of(blobs, [&](const Blob& blob) {
+      const cv::Point2d off = blob.centroid_px - expected.centroid_px;
+      return blob.label == expected.label &&
+             off.dot(off) <= expected.reach_px * expected.reach_px &&
+             blob.area_px <= kMostGrowth * expected.area_px &&
+             blob.area_px * kMostGrowth >= expected.area_px;
+    });
+  });
+}
+
+void PredictedSearch::remember(const Detections& detections) {
+  seen_ = detections;
+  const auto is_seen = [](const auto& object) { return object.state == TrackState::kSeen; };
+  all_seen_ = std::ranges::all_of(seen_.robots, is_seen) && (!seen_.ball || is_seen(*seen_.ball));
+}
+
+}  // namespace maggic

@@ -1,0 +1,72 @@
+#pragma once
+/// Looking where things are expected, and at the rest of the field in turns.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/types.hpp>
+
+#include "maggic/blob.hpp"
+#include "maggic/detections.hpp"
+#include "maggic/field.hpp"
+#include "maggic/frame.hpp"
+#include "maggic/scan_area.hpp"
+
+namespace maggic {
+
+/// Plans the area of each frame from what was detected in the last one. Never sure of itself: the
+/// whole field is searched as long as anything known is out of sight, and at once in a frame in
+/// which something is not where it was expected, whole. So a search differs from a full one only in
+/// that something new may wait for its turn, at most `unseen_frames` frames.
+///
+/// A frame goes through `plan`, then, if that gave an area, `accept`, and last `remember`.
+class PredictedSearch {
+ public:
+  /// @param unseen_frames how many turns the rest of the field takes, at least 1.
+  explicit PredictedSearch(int unseen_frames) : turns_(unseen_frames) {}
+
+  /// Where to look in a frame; null: all over `field_area`. Valid until the next call.
+  /// @param field_area at most one span a row; the same until `forget`.
+  const ScanArea* plan(Timestamp captured, const Field& field, const ScanArea& field_area);
+
+  /// Takes out blobs that may go on outside the planned area.
+  /// @return whether everything expected is among those left; if not, search all over.
+  bool accept(std::vector<Blob>& blobs) const;
+
+  /// Learns what was detected in the frame.
+  void remember(const Detections& detections);
+
+  /// Starts over, as for the first frame.
+  void forget();
+
+ private:
+  /// A blob that has to be seen again.
+  struct Expected {
+    Label label = kBackground;
+    cv::Point2d centroid_px;
+    double reach_px = 0.0;
+    double area_px = 0.0;
+  };
+
+  void expect_robot(const RobotDetection& robot, const Field& field, double dt_s);
+  void expect_ball(const BallDetection& ball, const Field& field, double dt_s);
+  void add_region(const Field& field, cv::Point2d position_mm, double height_mm, double radius_mm);
+  void join_regions_and_turn(const ScanArea& field_area, double overlap_px);
+  bool covers(const cv::Rect& box) const;
+
+  int turns_;
+  int turn_ = 0;
+  int full_frames_left_ = 0;  ///< Until everything had its chance of being seen.
+  bool started_ = false;
+  bool all_seen_ = false;
+  std::optional<Timestamp> last_;
+  Detections seen_;
+  const ScanArea* field_area_ = nullptr;
+  ScanArea area_;
+  std::vector<std::uint32_t> first_of_row_;  ///< Into `area_`, by row, and one more.
+  std::vector<cv::Rect> regions_;            ///< By left edge.
+  std::vector<Expected> expected_;
+};
+
+}  // namespace maggic

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <opencv2/core.hpp>
 #include <rapidcheck/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "maggic/run_scanner.hpp"
 
@@ -129,6 +129,54 @@ TEST(BlobExtractor, AgreesWithFloodFillOnNoiseOfOddSize) {
   }
 }
 
+/// The picture that is left when the runs shorter than `shortest_px` are wiped out.
+cv::Mat without_runs_below(const cv::Mat& labels, int shortest_px) {
+  std::vector<maggic::Run> runs = runs_of(labels);
+  std::erase_if(runs, [&](const maggic::Run& run) { return run.end - run.begin < shortest_px; });
+  cv::Mat left;
+  draw_runs(runs, labels.size(), left);
+  return left;
+}
+
+RC_GTEST_PROP(BlobExtractor, AgreesWithFloodFillOfTheLongRunsWhenThereAreTooMany, ()) {
+  const int width = *rc::gen::inRange(1, 40);
+  const int height = *rc::gen::inRange(1, 12);
+  cv::Mat labels(height, width, CV_8UC1);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width;) {
+      const int end = std::min(width, x + *rc::gen::inRange(1, 6));
+      labels(cv::Rect(x, y, end - x, 1)).setTo(*rc::gen::inRange(0, 3));
+      x = end;
+    }
+  }
+  const std::vector<maggic::Run> runs = runs_of(labels);
+  const auto max_runs = *rc::gen::inRange<std::size_t>(1, 2 + runs.size());
+  std::vector<Blob> found;
+  const BlobExtractor::LeftOut left_out =
+      BlobExtractor().extract(runs, {.max_runs = max_runs}, found);
+  RC_ASSERT((left_out.runs_shorter_than_px > 1) == (runs.size() > max_runs));
+  const std::vector<Blob> expected =
+      flood_fill_blobs(without_runs_below(labels, left_out.runs_shorter_than_px));
+  RC_ASSERT(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) expect_same(found[i], expected[i]);
+  RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+TEST(BlobExtractor, GivesABoxAmongNoiseAsIfItWereAlone) {
+  cv::Mat labels(200, 300, CV_8UC1);
+  cv::RNG(3).fill(labels, cv::RNG::UNIFORM, 0, 5);
+  const cv::Rect box(120, 80, 30, 20);
+  labels(box + cv::Size(2, 2) - cv::Point(1, 1)).setTo(kBackground);
+  labels(box).setTo(4);
+  std::vector<Blob> found;
+  const BlobExtractor::LeftOut left_out =
+      BlobExtractor().extract(runs_of(labels), {.min_area_px = 100.0, .max_runs = 100}, found);
+  EXPECT_GT(left_out.runs_shorter_than_px, 2);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].bounds_px, box);
+  EXPECT_EQ(found[0].area_px, box.area());
+}
+
 TEST(BlobExtractor, JoinsDiagonalNeighbours) {
   EXPECT_EQ(blobs_of(picture({"100", "010", "001"})).size(), 1U);
   EXPECT_EQ(blobs_of(picture({"001", "010", "100"})).size(), 1U);
@@ -195,7 +243,7 @@ TEST(BlobExtractor, CountsTheLargestFrameExactly) {
   std::vector<maggic::Run> runs;
   for (std::uint16_t y = 0; y < 65535; ++y) runs.push_back({y, 0, 65535, 2});
   std::vector<Blob> blobs;
-  BlobExtractor().extract(runs, {}, blobs);
+  BlobExtractor().extract(runs, {.max_runs = runs.size()}, blobs);
   ASSERT_EQ(blobs.size(), 1U);
   EXPECT_EQ(blobs[0].centroid_px, cv::Point2d(32767.0, 32767.0));
   EXPECT_DOUBLE_EQ(blobs[0].moment_xx_px2, 65535.0 * 65535.0 / 12);
@@ -204,7 +252,7 @@ TEST(BlobExtractor, CountsTheLargestFrameExactly) {
 
 TEST(BlobExtractor, FindsNothingWithoutRuns) {
   std::vector<Blob> blobs(3);
-  EXPECT_EQ(BlobExtractor().extract({}, {}, blobs), 0U);
+  EXPECT_EQ(BlobExtractor().extract({}, {}, blobs).blobs, 0U);
   EXPECT_TRUE(blobs.empty());
 }
 
@@ -219,17 +267,27 @@ TEST(BlobExtractor, KeepsTheLargestInTheirOrderWhenTheCapIsReached) {
   const std::vector<maggic::Run> runs = runs_of(picture({"1022203330440"}));
   BlobExtractor extractor;
   std::vector<Blob> blobs;
-  EXPECT_EQ(extractor.extract(runs, {.max_blobs = 2}, blobs), 2U);
+  EXPECT_EQ(extractor.extract(runs, {.max_blobs = 2}, blobs).blobs, 2U);
   ASSERT_EQ(blobs.size(), 2U);
   EXPECT_EQ(blobs[0].label, 2);
   EXPECT_EQ(blobs[1].label, 3);
+}
+
+TEST(BlobExtractor, KeepsTheFirstOfEquallyLargeOnesWhenTheCapIsReached) {
+  const std::vector<maggic::Run> runs = runs_of(picture({"1022033044405505"}));
+  std::vector<Blob> blobs;
+  EXPECT_EQ(BlobExtractor().extract(runs, {.max_blobs = 3}, blobs).blobs, 3U);
+  ASSERT_EQ(blobs.size(), 3U);
+  EXPECT_EQ(blobs[0].label, 2);
+  EXPECT_EQ(blobs[1].label, 3);
+  EXPECT_EQ(blobs[2].label, 4);
 }
 
 TEST(BlobExtractor, CountsOnlyBlobsWithinTheLimitsAsLeftOut) {
   const std::vector<maggic::Run> runs = runs_of(picture({"1022203330440"}));
   BlobExtractor extractor;
   std::vector<Blob> blobs;
-  EXPECT_EQ(extractor.extract(runs, {.min_area_px = 2.0, .max_blobs = 2}, blobs), 1U);
+  EXPECT_EQ(extractor.extract(runs, {.min_area_px = 2.0, .max_blobs = 2}, blobs).blobs, 1U);
 }
 
 TEST(BlobExtractor, ForgetsTheFrameBefore) {

@@ -13,6 +13,7 @@
 
 #include "inspection/connected_runs.hpp"
 #include "maggic/blob_extractor.hpp"
+#include "maggic/longest_runs.hpp"
 
 namespace maggic {
 namespace {
@@ -55,9 +56,9 @@ class Walk {
     normalized_ = normalized_color();
     add("normalized",
         fmt::format("{} by {}", normalized_.to_string(), pipeline_.parts().normalizer.name));
-    const std::vector<Run> region = connected_runs(result_.runs, pixel_px_);
-    add_label(region.empty() ? kBackground : region.front().label);
-    if (!region.empty()) add_blob(region);
+    const Run* run = run_at(result_.runs, pixel_px_);
+    add_label(run == nullptr ? kBackground : run->label);
+    if (run != nullptr) add_blob();
     return std::move(answers_);
   }
 
@@ -108,10 +109,17 @@ class Walk {
         std::clamp<int>(pixel_px_.x, nearest->begin, nearest->end - 1), nearest->row);
   }
 
-  void add_blob(const std::vector<Run>& region) {
+  void add_blob() {
+    LongestRuns longest;
+    const std::vector<Run> region =
+        connected_runs(longest.keep(result_.runs, pipeline_.blob_limits_px().max_runs), pixel_px_);
+    if (region.empty()) {
+      add("blob", fmt::format("dropped: {}", run_limit_text(longest.shortest_px())));
+      return;
+    }
     BlobExtractor extractor;
     std::vector<Blob> found;
-    extractor.extract(region, {0.0, std::numeric_limits<double>::max(), 1}, found);
+    extractor.extract(region, {0.0, std::numeric_limits<double>::max(), 1, region.size()}, found);
     const Blob& blob = found.front();
     const auto& blobs = result_.blobs;
     const auto kept = std::ranges::find_if(blobs, [&](const Blob& other) {
@@ -123,12 +131,20 @@ class Walk {
         blob.area_px * pipeline_.blob_scale_mm2_per_px(), pipeline_.parts().blobs.min_area_mm2,
         pipeline_.parts().blobs.max_area_mm2, blob.bounds_px.width, blob.bounds_px.height,
         blob.centroid_px.x, blob.centroid_px.y);
+    if (longest.shortest_px() > 1) text += '\n' + run_limit_text(longest.shortest_px());
     if (kept == blobs.end()) {
       add("blob", fmt::format("{}\ndropped: {}", text, limit_text(blob)));
       return;
     }
     add("blob", std::move(text));
     add_tracker(static_cast<std::size_t>(kept - blobs.begin()));
+  }
+
+  std::string run_limit_text(int shortest_px) const {
+    return fmt::format(
+        "the frame has {} runs (stretches of one colour along a row), more than blobs.max_runs {}, "
+        "and those shorter than {} px were left out",
+        result_.runs.size(), pipeline_.blob_limits_px().max_runs, shortest_px);
   }
 
   std::string limit_text(const Blob& blob) const {

@@ -12,6 +12,7 @@
 namespace maggic {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
@@ -19,7 +20,9 @@ using ::testing::StartsWith;
 /// What a pipeline of fakes makes of a picture: label 1 (orange) where red is above 127.
 class Look {
  public:
-  explicit Look(const cv::Mat3b& bgr, bool image_stages = false) : rig_(0, 0, image_stages) {
+  explicit Look(const cv::Mat3b& bgr, bool image_stages = false, int max_runs = 1000)
+      : rig_(0, 0, image_stages, {}, {},
+             {.min_area_mm2 = 0.0, .max_area_mm2 = 1e9, .max_runs = max_runs}) {
     result_.frame.bgr = bgr;
     rig_.built.pipeline->process(result_);
   }
@@ -69,6 +72,20 @@ TEST(PointExplanation, LooksUpWhatStagesMadeOfAWholePicture) {
               StartsWith("orange: red judges the picture as a whole and gives no reason"));
   EXPECT_THAT(look.answer({1, 2}, "blob"), StartsWith("16 px, "));
   EXPECT_THAT(look.answer({5, 5}, "label"), HasSubstr("background"));
+}
+
+TEST(PointExplanation, NamesTheCapThatLeftAShortRunOut) {
+  cv::Mat3b bgr = red_square();
+  bgr(cv::Rect(8, 6, 1, 2)).setTo(cv::Scalar(0, 0, 200));
+  const Look look(bgr, false, 4);
+  EXPECT_EQ(look.answer({8, 6}, "label"), "orange");
+  EXPECT_EQ(look.answer({8, 6}, "blob"),
+            "dropped: the frame has 6 runs (stretches of one colour along a row), more than "
+            "blobs.max_runs 4, and those shorter than 2 px were left out");
+  EXPECT_EQ(look.answer({8, 6}, "tracker"), "");
+  EXPECT_THAT(look.answer({1, 2}, "blob"),
+              AllOf(StartsWith("16 px, "), HasSubstr("those shorter than 2 px were left out")));
+  EXPECT_EQ(look.answer({1, 2}, "tracker"), "hook gives no reasons");
 }
 
 TEST(PointExplanation, RefusesAPointOutsideOfThePicture) {

@@ -108,7 +108,8 @@ struct Rig {
   BuiltPipeline built;
 
   explicit Rig(std::uint64_t frames, std::size_t sink_count = 1, bool image_stages = false,
-               const FieldParameters& field = {}, const LightParameters& light = {}) {
+               const FieldParameters& field = {}, const LightParameters& light = {},
+               const BlobParameters& blobs = {.min_area_mm2 = 0.0, .max_area_mm2 = 1e9}) {
     auto new_source = std::make_unique<CountingSource>();
     source = new_source.get();
     source->count = frames;
@@ -126,8 +127,7 @@ struct Rig {
       parts.segmenter = named<Segmenter>("red", std::make_unique<RedSegmenter>());
     }
     parts.tracker = named<Tracker>("hook", std::move(new_tracker));
-    parts.blobs.min_area_mm2 = 0.0;
-    parts.blobs.max_area_mm2 = 1e9;
+    parts.blobs = blobs;
     built.pipeline = std::make_unique<Pipeline>(std::move(parts), reporter);
     built.source = named<Source>("counting", std::move(new_source));
     for (std::size_t i = 0; i < sink_count; ++i) {

@@ -1,5 +1,6 @@
 #include "maggic/pipeline.hpp"
 
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +35,10 @@ void BlobParameters::describe(Parameters& p) {
            max_area_mm2, {0.0, 1e9});
   p.integer({"max_blobs", "at most so many blobs a frame, the largest; bounds the work on noise"},
             max_blobs, {1, 1'000'000});
+  p.integer({"max_runs",
+             "at most so many stretches of one colour along a row a frame, the longest; bounds the "
+             "work on noise"},
+            max_runs, {1, 100'000'000});
   p.check("max_area_mm2", max_area_mm2 >= min_area_mm2,
           fmt::format("max_area_mm2 {} is below min_area_mm2 {}: expected at least as much",
                       max_area_mm2, min_area_mm2));
@@ -86,6 +91,14 @@ FrameOutcome Pipeline::process(FrameResult& result) {
   return FrameOutcome::kProcessed;
 }
 
+void Pipeline::warn_of_short_runs(int shortest_px) {
+  fmt::memory_buffer message;  // holds this much without allocating
+  fmt::format_to(std::back_inserter(message),
+                 "more runs than blobs.max_runs: those shorter than {} px were left out",
+                 shortest_px);
+  reporter_.warn({message.data(), message.size()});
+}
+
 const cv::Mat* Pipeline::normalized_picture() const {
   return table_ ? nullptr : &image_path_->normalized();
 }
@@ -98,6 +111,7 @@ void Pipeline::take_size(cv::Size size) {
   blob_limits_px_.min_area_px = parts_.blobs.min_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_area_px = parts_.blobs.max_area_mm2 / blob_scale_mm2_per_px_;
   blob_limits_px_.max_blobs = static_cast<std::size_t>(parts_.blobs.max_blobs);
+  blob_limits_px_.max_runs = static_cast<std::size_t>(parts_.blobs.max_runs);
   field_area_ = maggic::field_area(*field, parts_.scan.margin_mm);
   if (search_) search_->forget();
   field_ = std::move(field);
@@ -113,17 +127,20 @@ void Pipeline::find_blobs(FrameResult& result) {
     scanned_area_ = search_->plan(result.frame.captured, *field_, field_area_);
     result.times[Step::kSegment] += watch.lap();
     if (scanned_area_ != nullptr) {
-      const std::size_t left_out = find_blobs_in(*scanned_area_, labels, result);
-      if (left_out == 0 && search_->accept(result.blobs)) return;
+      const BlobExtractor::LeftOut left_out = find_blobs_in(*scanned_area_, labels, result);
+      const bool is_whole = left_out.blobs == 0 && left_out.runs_shorter_than_px <= 1;
+      if (is_whole && search_->accept(result.blobs)) return;
     }
   }
   scanned_area_ = &field_area_;
-  if (find_blobs_in(field_area_, labels, result) > 0) {
+  const BlobExtractor::LeftOut left_out = find_blobs_in(field_area_, labels, result);
+  if (left_out.runs_shorter_than_px > 1) warn_of_short_runs(left_out.runs_shorter_than_px);
+  if (left_out.blobs > 0) {
     reporter_.warn("more blobs than blobs.max_blobs: the smallest were left out");
   }
 }
 
-std::size_t Pipeline::find_blobs_in(const ScanArea& area, const cv::Mat* labels,
+BlobExtractor::LeftOut Pipeline::find_blobs_in(const ScanArea& area, const cv::Mat* labels,
                                     FrameResult& result) {
   StopWatch watch;
   if (labels != nullptr) {
@@ -132,7 +149,7 @@ std::size_t Pipeline::find_blobs_in(const ScanArea& area, const cv::Mat* labels,
     scanner_.scan(result.frame.bgr, area, channel_gains_, result.runs);
   }
   result.times[Step::kSegment] += watch.lap();
-  const std::size_t left_out =
+  const BlobExtractor::LeftOut left_out =
       blob_extractor_.extract(result.runs, blob_limits_px_, result.blobs);
   result.times[Step::kBlobs] += watch.lap();
   return left_out;

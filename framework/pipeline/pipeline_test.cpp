@@ -14,6 +14,7 @@ namespace maggic {
 namespace {
 
 using fakes::Rig;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -100,6 +101,21 @@ TEST(Pipeline, ASinglePixelIsAPicture) {
   result.frame.bgr = cv::Mat(1, 1, CV_8UC3, cv::Scalar(0, 0, 255));
   EXPECT_EQ(rig.built.pipeline->process(result), FrameOutcome::kProcessed);
   EXPECT_THAT(result.blobs, SizeIs(1));
+}
+
+TEST(Pipeline, LeavesOutTheShortestRunsOfAFrameThatHasTooManyAndSaysSo) {
+  Rig rig(0, 1, false, {}, {}, {.min_area_mm2 = 0.0, .max_area_mm2 = 1e9, .max_runs = 2});
+  FrameResult result;
+  result.frame.bgr = red_square(9, 7);
+  rig.built.pipeline->process(result);
+  EXPECT_THAT(rig.reporter.messages(), IsEmpty());
+  result.frame.bgr.at<cv::Vec3b>(5, 6) = {0, 0, 255};
+  rig.built.pipeline->process(result);
+  ASSERT_THAT(result.blobs, SizeIs(1));
+  EXPECT_EQ(result.blobs[0].area_px, 6);
+  EXPECT_THAT(result.runs, SizeIs(3)) << "sinks see what was segmented";
+  EXPECT_THAT(rig.reporter.messages(),
+              ElementsAre("more runs than blobs.max_runs: those shorter than 2 px were left out"));
 }
 
 TEST(Pipeline, ASkippedFrameHoldsNothingOfTheLastOne) {

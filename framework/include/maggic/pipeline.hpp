@@ -42,6 +42,7 @@ struct BlobParameters {
   double min_area_mm2 = 100.0;
   double max_area_mm2 = 8000.0;
   int max_blobs = 1024;
+  int max_runs = 32768;
 
   void describe(Parameters& parameters);
 };
@@ -109,8 +110,9 @@ class Pipeline {
  private:
   void take_size(cv::Size size);
   void find_blobs(FrameResult& result);
-  std::size_t find_blobs_in(const ScanArea& area, const cv::Mat* labels, FrameResult& result);
+  BlobExtractor::LeftOut find_blobs_in(const ScanArea& area, const cv::Mat* labels, FrameResult& result);
   const cv::Mat* segment_image(const FrameResult& result);
+  void warn_of_short_runs(int shortest_px);
 
   PipelineParts parts_;
   Reporter& reporter_;

@@ -65,6 +65,20 @@ TEST(CommandLine, TakesPluginFoldersBeforeAndAfterTheCommand) {
   }
 }
 
+TEST(CommandLine, BenchNeedsNoPipeline) {
+  const auto bare = command<BenchOptions>({"bench"});
+  EXPECT_EQ(bare.pipeline.pipeline, "maggic_3v3");
+  EXPECT_EQ(bare.frames, 300U);
+  EXPECT_FALSE(bare.threads);
+  const auto full = command<BenchOptions>(
+      {"bench", "a.yaml", "--source", "0", "--frames", "50", "--threads", "4", "--json", "b.json"});
+  EXPECT_EQ(full.pipeline.pipeline, "a.yaml");
+  EXPECT_EQ(full.pipeline.source, "0");
+  EXPECT_EQ(full.frames, 50U);
+  EXPECT_EQ(full.threads, 4U);
+  EXPECT_EQ(full.json, "b.json");
+}
+
 TEST(CommandLine, ReadsTheOtherCommands) {
   EXPECT_THAT(command<CheckOptions>({"check", "a", "b"}).pipelines, ElementsAre("a", "b"));
   EXPECT_THAT(command<DescribeOptions>({"describe"}).names, ElementsAre());
@@ -88,9 +102,10 @@ TEST(CommandLine, AMistypedCommandIsAnsweredWithTheKnownOnes) {
   const auto parsed = parse({"--plugin-path", "x", "rnu", "a.yaml"});
   const auto& end = std::get<EarlyEnd>(parsed);
   EXPECT_EQ(end.code, kMistake);
-  EXPECT_THAT(end.text, HasSubstr("unknown command 'rnu', did you mean 'run'? "
-                                  "(known: run, calibrate, score, compare, sweep, plot, import, "
-                                  "check, plugins, describe, new)"));
+  EXPECT_THAT(end.text,
+              HasSubstr("unknown command 'rnu', did you mean 'run'? "
+                        "(known: run, calibrate, score, compare, bench, sweep, plot, import, "
+                        "check, plugins, describe, new)"));
 }
 
 std::string mistake_text(std::vector<const char*> arguments) {

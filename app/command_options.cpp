@@ -131,6 +131,20 @@ void describe_compare(CLI::App& command, CompareOptions& compare) {
       ->transform(within(0, 255, "whole numbers from 0 to 255"));
 }
 
+void describe_bench(CLI::App& command, BenchOptions& bench) {
+  command.add_option("pipeline", bench.pipeline.pipeline,
+                     "Pipeline file or name (default: maggic_3v3)");
+  add_overrides(command, bench.pipeline);
+  add_calibration(command, bench.pipeline);
+  command.add_option("--frames", bench.frames, "Measure so many frames (default: 300)")
+      ->transform(within<std::uint64_t>(1, 1'000'000, "a whole number from 1 to 1000000"));
+  command
+      .add_option("--threads", bench.threads,
+                  "Threads of what is measured with several (default: one per core)")
+      ->transform(within(1U, 256U, "a whole number from 1 to 256"));
+  command.add_option("--json", bench.json, "Write every figure here");
+}
+
 void describe_sweep(CLI::App& command, SweepOptions& sweep) {
   add_pipeline(command, sweep.pipeline);
   command
@@ -213,6 +227,9 @@ std::vector<OfferedCommand> offer_commands(CLI::App& app) {
                           describe_score),
       offer<CompareOptions>(app, "compare", "Run pipelines side by side on the same frames",
                             describe_compare),
+      offer<BenchOptions>(app, "bench",
+                          "Measure how fast a pipeline is, beside what the machine can do",
+                          describe_bench),
       offer<SweepOptions>(app, "sweep",
                           "Share of pixels labelled right, against the gray threshold",
                           describe_sweep),

@@ -68,6 +68,13 @@ struct CompareOptions {
   std::vector<int> thresholds{20, 40, 60};   ///< Gray thresholds of the report's rows.
 };
 
+struct BenchOptions {
+  PipelineOptions pipeline{.pipeline = "maggic_3v3"};
+  std::uint64_t frames = 300;
+  std::optional<unsigned> threads;  ///< Left out: one per core.
+  std::optional<std::filesystem::path> json;
+};
+
 struct SweepOptions {
   PipelineOptions pipeline;
   std::string images;                      ///< Folder or pattern.
@@ -107,9 +114,9 @@ struct NewOptions {
   std::filesystem::path folder;
 };
 
-using Command = std::variant<RunOptionsGiven, ScoreOptions, CompareOptions, SweepOptions,
-                             PlotNormalizerOptions, CalibrateOptions, ImportOptions, CheckOptions,
-                             PluginsOptions, DescribeOptions, NewOptions>;
+using Command = std::variant<RunOptionsGiven, ScoreOptions, CompareOptions, BenchOptions,
+                             SweepOptions, PlotNormalizerOptions, CalibrateOptions, ImportOptions,
+                             CheckOptions, PluginsOptions, DescribeOptions, NewOptions>;
 
 struct CommandLine {
   std::vector<std::filesystem::path> plugin_folders;  ///< Searched after the usual ones.
@@ -119,6 +126,7 @@ struct CommandLine {
 ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line);
 ExitCode score_command(const ScoreOptions& options, const CommandLine& line);
 ExitCode compare_command(const CompareOptions& options, const CommandLine& line);
+ExitCode bench_command(const BenchOptions& options, const CommandLine& line);
 ExitCode sweep_command(const SweepOptions& options, const CommandLine& line);
 ExitCode plot_normalizer_command(const PlotNormalizerOptions& options, const CommandLine& line);
 ExitCode calibrate_command(const CalibrateOptions& options, const CommandLine& line);

@@ -24,6 +24,7 @@ struct Dispatch {
   ExitCode operator()(const RunOptionsGiven& o) const { return run_command(o, line); }
   ExitCode operator()(const ScoreOptions& o) const { return score_command(o, line); }
   ExitCode operator()(const CompareOptions& o) const { return compare_command(o, line); }
+  ExitCode operator()(const BenchOptions& o) const { return bench_command(o, line); }
   ExitCode operator()(const SweepOptions& o) const { return sweep_command(o, line); }
   ExitCode operator()(const PlotNormalizerOptions& o) const {
     return plot_normalizer_command(o, line);

@@ -31,7 +31,10 @@ void scan(benchmark::State& state) {
 }
 
 BENCHMARK(scan)
+    ->ArgNames({"scene", "width", "height"})
+    ->ArgsProduct({{0, 1, 2, 3, 4}, {320}, {240}})
     ->ArgsProduct({{0, 1, 2, 3, 4}, {640}, {480}})
+    ->ArgsProduct({{0, 1, 2, 3, 4}, {1280}, {720}})
     ->ArgsProduct({{0, 1, 2, 3, 4}, {1920}, {1080}})
     ->Unit(benchmark::kMicrosecond);
 

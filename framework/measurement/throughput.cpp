@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <chrono>
 #include <future>
 #include <latch>
 #include <vector>
@@ -9,7 +11,21 @@
 namespace maggic {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int kRounds = 5;
+
+/// When one pipeline was at work.
+struct Shift {
+  Clock::time_point began;
+  Clock::time_point ended;
+};
+
+std::chrono::nanoseconds from_first_to_last(const std::vector<Shift>& shifts) {
+  const auto began = std::ranges::min(shifts, {}, &Shift::began).began;
+  const auto ended = std::ranges::max(shifts, {}, &Shift::ended).ended;
+  return ended - began;
+}
 
 }  // namespace
 
@@ -20,24 +36,25 @@ double measure_throughput(std::span<Pipeline* const> pipelines, const FrameStore
 
   Samples rounds(kRounds);
   for (int round = 0; round < kRounds; ++round) {
-    std::latch start(static_cast<std::ptrdiff_t>(pipelines.size()) + 1);
+    std::latch start(static_cast<std::ptrdiff_t>(pipelines.size()));
     // Each from another place in the store, so that none finds what another one fetched.
     const auto work = [&](std::size_t k) {
       const std::uint64_t first = kWarmUpFrames + k * store.size() / pipelines.size();
       start.arrive_and_wait();
+      const Clock::time_point began = Clock::now();
       for (std::uint64_t i = 0; i < frames; ++i) {
         store.get(first + i, results[k].frame);
         pipelines[k]->process(results[k]);
       }
+      return Shift{began, Clock::now()};
     };
-    std::vector<std::future<void>> workers;
+    std::vector<std::future<Shift>> workers;
     for (std::size_t k = 0; k < pipelines.size(); ++k) {
       workers.push_back(std::async(std::launch::async, work, k));
     }
-    start.arrive_and_wait();
-    rounds.time([&] {
-      for (std::future<void>& worker : workers) worker.get();
-    });
+    std::vector<Shift> shifts;
+    for (std::future<Shift>& worker : workers) shifts.push_back(worker.get());
+    rounds.add(from_first_to_last(shifts));
   }
   const double seconds = std::chrono::duration<double>(rounds.figures().p50).count();
   return static_cast<double>(frames * pipelines.size()) / seconds;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -25,7 +27,8 @@
 namespace maggic::app {
 namespace {
 
-constexpr int kMostCompilations = 20;
+constexpr std::uint64_t kMostCompilations = 20;
+constexpr std::uint64_t kFramesPerCompilation = 10;  // a look at few frames is not to take long
 constexpr double kLatencySeconds = 5.0;
 
 /// The segmenter after somebody moved a parameter of it, and what was moved.
@@ -136,10 +139,15 @@ class Bench {
   void measure_table(SpeedReport& report) {
     const ChangedSegmenter changed =
         change_segmenter(built_.pipeline->parts(), document_, registry_, reporter_);
-    report.table = maggic::measure_table(
-        *built_.pipeline, dynamic_cast<const ColorSegmenter*>(changed.stage.get()), report.threads,
-        static_cast<int>(std::min<std::uint64_t>(options_.frames, kMostCompilations)));
+    report.table = maggic::measure_table(*built_.pipeline,
+                                         dynamic_cast<const ColorSegmenter*>(changed.stage.get()),
+                                         report.threads, compilations());
     report.update = changed.what;
+  }
+
+  int compilations() const {
+    const std::uint64_t wanted = 1 + options_.frames / kFramesPerCompilation;
+    return static_cast<int>(std::min(wanted, kMostCompilations));
   }
 
   void measure_rates(const FrameStore& store, SpeedReport& report) {

@@ -85,8 +85,8 @@ TEST_F(BenchTest, MeasuresTheShippedPipelineWhenNoneIsNamed) {
 }
 
 TEST_F(BenchTest, AStillIsRepeatedAndSaysSo) {
-  const auto result =
-      bench({"legacy_3v3", "--source", picture(64, 48), "--frames", "4", "--json", json_file_});
+  const auto result = bench({"legacy_3v3", "--source", picture(64, 48), "--frames", "4",
+                             "--threads", "1", "--json", json_file_});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("4 frames of 64 × 48"));
   EXPECT_THAT(result.out, HasSubstr("picture.ppm (1 of them distinct)"));
@@ -105,7 +105,7 @@ TEST_F(BenchTest, LeavesThePipelinesOwnOutputsAlone) {
                     "tracker: two_tag\n"
                     "sinks: [{jsonl: {path: precious.jsonl}}]\n");
   folder_.write("precious.jsonl", "the last match");
-  const auto result = bench({pipeline, "--frames", "2"});
+  const auto result = bench({pipeline, "--frames", "2", "--threads", "1"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(text_of(folder_.file("precious.jsonl")), "the last match");
 }

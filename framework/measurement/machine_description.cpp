@@ -32,8 +32,8 @@ std::size_t size_of_cache(int index) {
   return size;
 }
 
-// sysconf is asked second: for a processor of several dies glibc adds their caches up, though a core
-// fills its own die's alone.
+// sysconf is asked second: for a processor of several dies glibc adds their caches up, though a
+// core fills its own die's alone.
 std::size_t largest_cache_bytes() {
   constexpr int kMostCaches = 8;
   std::size_t largest = 0;

@@ -53,6 +53,7 @@ double measure_throughput(std::span<Pipeline* const> pipelines, const FrameStore
       workers.push_back(std::async(std::launch::async, work, k));
     }
     std::vector<Shift> shifts;
+    shifts.reserve(workers.size());
     for (std::future<Shift>& worker : workers) shifts.push_back(worker.get());
     rounds.add(from_first_to_last(shifts));
   }

@@ -91,10 +91,10 @@ void look_up_each_pixel(const cv::Mat& bgr, const std::vector<Label>& flat, cv::
   CV_Assert(bgr.type() == CV_8UC3 && flat.size() == ColorTable::kColors);
   labels.create(bgr.size(), CV_8UC1);
   for (int y = 0; y < bgr.rows; ++y) {
-    const std::uint8_t* const pixels = bgr.ptr(y);
+    const auto* const pixels = bgr.ptr<cv::Vec3b>(y);
     Label* const row = labels.ptr(y);
     for (int x = 0; x < bgr.cols; ++x) {
-      row[x] = flat[index_of(pixels[3 * x], pixels[3 * x + 1], pixels[3 * x + 2])];
+      row[x] = flat[index_of(pixels[x][0], pixels[x][1], pixels[x][2])];
     }
   }
 }

@@ -159,7 +159,9 @@ TEST_P(FramePath, DetectsTheSameOnOneThreadOnThreeAndWhereThingsAreExpected) {
     ASSERT_EQ(text_of(result.detections), expected) << "predicted, frame " << frame;
     led_by_predictions += &predicted.pipeline->scanned_area() != &predicted.pipeline->field_area();
   }
-  if (GetParam().frames > 20) EXPECT_GT(led_by_predictions, 0);
+  if (GetParam().frames > 20) {
+    EXPECT_GT(led_by_predictions, 0);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

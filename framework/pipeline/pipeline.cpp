@@ -12,10 +12,9 @@
 #include "search/predicted_search.hpp"
 
 namespace maggic {
-namespace {
 
-/// Stores the time since construction, or since the last `lap`, in a step.
-class StopWatch {
+/// Gives the time since construction, or since the last `lap`.
+class Pipeline::StopWatch {
  public:
   std::chrono::nanoseconds lap() {
     const auto now = std::chrono::steady_clock::now();
@@ -25,8 +24,6 @@ class StopWatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-}  // namespace
 
 void BlobParameters::describe(Parameters& p) {
   p.number({"min_area_mm2", "smaller blobs are noise and left out", "mm²"}, min_area_mm2,
@@ -75,14 +72,15 @@ FrameOutcome Pipeline::process(FrameResult& result) {
     result.times[step] = std::chrono::nanoseconds(0);
   }
 
+  StopWatch watch;
   if (const std::optional<std::string> unusable = convert_to_bgr8(result.frame.bgr)) {
     reporter_.warn(fmt::format("a frame was skipped: {}", *unusable));
     return FrameOutcome::kSkipped;
   }
   take_size(result.frame.bgr.size());
-  find_blobs(result);
+  find_blobs(result, watch);
+  result.times[Step::kBlobs] += watch.lap();
 
-  StopWatch watch;
   const TrackerInput input{result.frame.sequence, result.frame.captured, result.blobs, *field_};
   guarded(StageKind::kTracker, parts_.tracker.name, AtFrame{result.frame.sequence},
           [&] { parts_.tracker.stage->track(input, result.detections); });
@@ -117,23 +115,19 @@ void Pipeline::take_size(cv::Size size) {
   field_ = std::move(field);
 }
 
-void Pipeline::find_blobs(FrameResult& result) {
-  StopWatch watch;
+void Pipeline::find_blobs(FrameResult& result, StopWatch& watch) {
   channel_gains_ = light_follower_.look(result.frame.bgr, *field_, result.frame.captured);
   const cv::Mat* labels = table_ ? nullptr : segment_image(result);
-  result.times[Step::kSegment] += watch.lap();
-
   if (search_) {
     scanned_area_ = search_->plan(result.frame.captured, *field_, field_area_);
-    result.times[Step::kSegment] += watch.lap();
     if (scanned_area_ != nullptr) {
-      const BlobExtractor::LeftOut left_out = find_blobs_in(*scanned_area_, labels, result);
+      const BlobExtractor::LeftOut left_out = find_blobs_in(*scanned_area_, labels, result, watch);
       const bool is_whole = left_out.blobs == 0 && left_out.runs_shorter_than_px <= 1;
       if (is_whole && search_->accept(result.blobs)) return;
     }
   }
   scanned_area_ = &field_area_;
-  const BlobExtractor::LeftOut left_out = find_blobs_in(field_area_, labels, result);
+  const BlobExtractor::LeftOut left_out = find_blobs_in(field_area_, labels, result, watch);
   if (left_out.runs_shorter_than_px > 1) warn_of_short_runs(left_out.runs_shorter_than_px);
   if (left_out.blobs > 0) {
     reporter_.warn("more blobs than blobs.max_blobs: the smallest were left out");
@@ -141,8 +135,7 @@ void Pipeline::find_blobs(FrameResult& result) {
 }
 
 BlobExtractor::LeftOut Pipeline::find_blobs_in(const ScanArea& area, const cv::Mat* labels,
-                                    FrameResult& result) {
-  StopWatch watch;
+                                               FrameResult& result, StopWatch& watch) {
   if (labels != nullptr) {
     scanner_.scan_labels(*labels, area, result.runs);
   } else {

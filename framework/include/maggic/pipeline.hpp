@@ -108,9 +108,12 @@ class Pipeline {
   std::chrono::nanoseconds table_compile_time() const { return table_compile_time_; }
 
  private:
+  class StopWatch;
+
   void take_size(cv::Size size);
-  void find_blobs(FrameResult& result);
-  BlobExtractor::LeftOut find_blobs_in(const ScanArea& area, const cv::Mat* labels, FrameResult& result);
+  void find_blobs(FrameResult& result, StopWatch& watch);
+  BlobExtractor::LeftOut find_blobs_in(const ScanArea& area, const cv::Mat* labels,
+                                       FrameResult& result, StopWatch& watch);
   const cv::Mat* segment_image(const FrameResult& result);
   void warn_of_short_runs(int shortest_px);
 

@@ -12,7 +12,7 @@
 namespace maggic {
 namespace {
 
-constexpr std::size_t kSide = 8;  // of a block, in colours
+constexpr std::size_t kSide = ColorTable::kBlockSide;
 
 // Blocks that differ in blue alone: with the normalised planes and the labels 112 KiB, so a batch
 // stays in a core's second cache.

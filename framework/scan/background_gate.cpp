@@ -5,7 +5,7 @@
 namespace maggic {
 namespace {
 
-constexpr int kSide = 8;  // of a block, in colours
+constexpr int kSide = ColorTable::kBlockSide;
 
 struct Corner {
   std::uint8_t b, g, r;

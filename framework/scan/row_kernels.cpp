@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "maggic/color_table.hpp"
+
 // All sets the compiler can make, plain code included, so that tests can compare them.
 #define HWY_COMPILE_ALL_ATTAINABLE
 #undef HWY_TARGET_INCLUDE
@@ -95,7 +97,7 @@ class ColorChunks {
       const auto i = static_cast<std::size_t>(std::countr_zero(candidates));
       candidates &= candidates - 1;
       const std::size_t block = look_up_.block_ids[places_.block[i]];
-      labels[i] = look_up_.block_labels[block << 9 | places_.within[i]];
+      labels[i] = look_up_.block_labels[block * ColorTable::kColorsPerBlock + places_.within[i]];
     }
   }
 

@@ -22,7 +22,8 @@ class ColorTable {
  public:
   static constexpr std::size_t kColors = std::size_t{1} << 24;
   static constexpr std::size_t kBlocks = 32768;
-  static constexpr std::size_t kColorsPerBlock = 512;
+  static constexpr std::size_t kBlockSide = 8;  ///< In colours, along each channel.
+  static constexpr std::size_t kColorsPerBlock = kBlockSide * kBlockSide * kBlockSide;
 
   /// Every colour is background.
   ColorTable();

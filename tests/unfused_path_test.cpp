@@ -15,6 +15,7 @@
 #include "maggic/run_scanner.hpp"
 #include "maggic/simd_target.hpp"
 #include "maggic/testing.hpp"
+#include "scan/plain_runs_for_tests.hpp"
 
 namespace maggic {
 namespace {
@@ -66,22 +67,6 @@ cv::Mat labels_by_stages(const Pipeline& pipeline, const cv::Mat& bgr) {
   normalizer.normalize(original, normalized);
   segmenter.segment(original, normalized.as_const(), {labels.data, size});
   return labels;
-}
-
-std::vector<Run> plain_runs(const cv::Mat& labels, const ScanArea& area) {
-  std::vector<maggic::Run> runs;
-  for (const RowSpan& span : area) {
-    for (std::uint16_t x = span.begin; x < span.end; ++x) {
-      const Label label = labels.at<Label>(span.row, x);
-      if (label == kBackground) continue;
-      if (x > span.begin && labels.at<Label>(span.row, x - 1) == label) {
-        ++runs.back().end;
-      } else {
-        runs.push_back({span.row, x, static_cast<std::uint16_t>(x + 1), label});
-      }
-    }
-  }
-  return runs;
 }
 
 /// Every digit of everything.

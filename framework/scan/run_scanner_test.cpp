@@ -13,6 +13,7 @@
 #include <opencv2/core.hpp>
 
 #include "maggic/simd_target.hpp"
+#include "scan/plain_runs_for_tests.hpp"
 
 namespace maggic {
 namespace {
@@ -72,23 +73,6 @@ const ColorTable& colors_on_gray() {
 const ColorTable& never_background() {
   static const ColorTable table = table_of([](int b, int g, int r) { return 1 + (b ^ g ^ r) % 7; });
   return table;
-}
-
-/// Pixel by pixel, as the contract's words have it.
-std::vector<Run> plain_runs(const cv::Mat& labels, const ScanArea& area) {
-  std::vector<maggic::Run> runs;
-  for (const RowSpan& span : area) {
-    for (std::uint16_t x = span.begin; x < span.end; ++x) {
-      const Label label = labels.at<Label>(span.row, x);
-      if (label == kBackground) continue;
-      if (x > span.begin && labels.at<Label>(span.row, x - 1) == label) {
-        ++runs.back().end;
-      } else {
-        runs.push_back({span.row, x, static_cast<std::uint16_t>(x + 1), label});
-      }
-    }
-  }
-  return runs;
 }
 
 cv::Mat labels_by(const ColorTable& table, const ChannelGains& gains, const cv::Mat& bgr) {

@@ -58,27 +58,33 @@ const ScanArea* PredictedSearch::plan(Timestamp captured, const Field& field,
 }
 
 void PredictedSearch::expect_robot(const RobotDetection& robot, const Field& field, double dt_s) {
-  const double height_mm = field.robot_height_mm();
-  const double slack_mm = kRobotSlackMm + kSpeedShare * cv::norm(robot.velocity_mm_s) * dt_s;
-  const cv::Point2d position_mm = robot.position_mm + dt_s * robot.velocity_mm_s;
-  add_region(field, position_mm, height_mm, kRobotRadiusMm + slack_mm);
-  const cv::Point2d moved_px =
-      field.to_image_px(position_mm, height_mm) - field.to_image_px(robot.position_mm, height_mm);
+  const Motion motion = predict(robot.position_mm, robot.velocity_mm_s, field.robot_height_mm(),
+                                {kRobotRadiusMm, kRobotSlackMm}, field, dt_s);
   for (const TagSighting& tag : robot.tags) {
-    expected_.push_back({tag.label, tag.centroid_px + moved_px,
-                         slack_mm / mm_per_px(field, tag.centroid_px, height_mm), tag.area_px});
+    expect_blob(tag.label, tag.centroid_px, tag.area_px, motion, field);
   }
 }
 
 void PredictedSearch::expect_ball(const BallDetection& ball, const Field& field, double dt_s) {
-  const double height_mm = field.ball_height_mm();
-  const double slack_mm = kBallSlackMm + kSpeedShare * cv::norm(ball.velocity_mm_s) * dt_s;
-  const cv::Point2d position_mm = ball.position_mm + dt_s * ball.velocity_mm_s;
-  add_region(field, position_mm, height_mm, kBallRadiusMm + slack_mm);
-  const cv::Point2d moved_px =
-      field.to_image_px(position_mm, height_mm) - field.to_image_px(ball.position_mm, height_mm);
-  expected_.push_back({ball.label, ball.centroid_px + moved_px,
-                       slack_mm / mm_per_px(field, ball.centroid_px, height_mm), ball.area_px});
+  const Motion motion = predict(ball.position_mm, ball.velocity_mm_s, field.ball_height_mm(),
+                                {kBallRadiusMm, kBallSlackMm}, field, dt_s);
+  expect_blob(ball.label, ball.centroid_px, ball.area_px, motion, field);
+}
+
+PredictedSearch::Motion PredictedSearch::predict(cv::Point2d position_mm, cv::Point2d velocity_mm_s,
+                                                 double height_mm, const Extent& extent,
+                                                 const Field& field, double dt_s) {
+  const double slack_mm = extent.slack_mm + kSpeedShare * cv::norm(velocity_mm_s) * dt_s;
+  const cv::Point2d predicted_mm = position_mm + dt_s * velocity_mm_s;
+  add_region(field, predicted_mm, height_mm, extent.radius_mm + slack_mm);
+  return {field.to_image_px(predicted_mm, height_mm) - field.to_image_px(position_mm, height_mm),
+          slack_mm, height_mm};
+}
+
+void PredictedSearch::expect_blob(Label label, cv::Point2d centroid_px, double area_px,
+                                  const Motion& motion, const Field& field) {
+  expected_.push_back({label, centroid_px + motion.moved_px,
+                       motion.slack_mm / mm_per_px(field, centroid_px, motion.height_mm), area_px});
 }
 
 void PredictedSearch::add_region(const Field& field, cv::Point2d position_mm, double height_mm,

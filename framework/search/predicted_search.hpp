@@ -49,8 +49,25 @@ class PredictedSearch {
     double area_px = 0.0;
   };
 
+  /// Of an object: how far its blobs reach from its centre, and how far off it may be at rest.
+  struct Extent {
+    double radius_mm = 0.0;
+    double slack_mm = 0.0;
+  };
+  /// Of an object from the last frame to this one.
+  struct Motion {
+    cv::Point2d moved_px;
+    double slack_mm = 0.0;
+    double height_mm = 0.0;
+  };
+
   void expect_robot(const RobotDetection& robot, const Field& field, double dt_s);
   void expect_ball(const BallDetection& ball, const Field& field, double dt_s);
+  /// Adds where the object can be to the regions.
+  Motion predict(cv::Point2d position_mm, cv::Point2d velocity_mm_s, double height_mm,
+                 const Extent& extent, const Field& field, double dt_s);
+  void expect_blob(Label label, cv::Point2d centroid_px, double area_px, const Motion& motion,
+                   const Field& field);
   void add_region(const Field& field, cv::Point2d position_mm, double height_mm, double radius_mm);
   void join_regions_and_turn(const ScanArea& field_area, double overlap_px);
   bool covers(const cv::Rect& box) const;

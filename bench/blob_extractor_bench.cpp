@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_frames.hpp"
+#include "bench_report.hpp"
 #include "maggic/blob_extractor.hpp"
 #include "maggic/pipeline.hpp"
 #include "maggic/run_scanner.hpp"
@@ -31,9 +32,7 @@ void extract(benchmark::State& state) {
   state.SetLabel(bench::name_of(scene));
   state.counters["runs"] = static_cast<double>(runs.size());
   state.counters["blobs"] = static_cast<double>(blobs.size());
-  const auto seconds_per_item =
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
-  state.counters["s/run"] = benchmark::Counter(static_cast<double>(runs.size()), seconds_per_item);
+  bench::report_seconds_per(state, "s/run", runs.size());
 }
 
 constexpr std::int64_t kMaxRuns = BlobParameters().max_runs;

@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_frames.hpp"
+#include "bench_report.hpp"
 #include "maggic/pipeline_builder.hpp"
 
 namespace maggic {
@@ -32,19 +33,10 @@ void process(benchmark::State& state) {
   state.counters["runs"] = static_cast<double>(result.runs.size());
   state.counters["blobs"] = static_cast<double>(result.blobs.size());
   state.counters["robots"] = static_cast<double>(result.detections.robots.size());
-  const auto seconds_per_item =
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
-  state.counters["s/pixel"] =
-      benchmark::Counter(static_cast<double>(result.frame.bgr.total()), seconds_per_item);
+  bench::report_seconds_per(state, "s/pixel", result.frame.bgr.total());
 }
 
-BENCHMARK(process)
-    ->ArgNames({"scene", "width", "height"})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {320}, {240}})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {640}, {480}})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {1280}, {720}})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {1920}, {1080}})
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(process)->Apply(bench::every_scene_and_size);
 
 }  // namespace
 }  // namespace maggic

@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_frames.hpp"
+#include "bench_report.hpp"
 #include "maggic/run_scanner.hpp"
 
 namespace maggic {
@@ -24,19 +25,10 @@ void scan(benchmark::State& state) {
   }
   state.SetLabel(bench::name_of(scene));
   state.counters["runs"] = static_cast<double>(runs.size());
-  const auto seconds_per_item =
-      benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert;
-  state.counters["s/pixel"] =
-      benchmark::Counter(static_cast<double>(frame.total()), seconds_per_item);
+  bench::report_seconds_per(state, "s/pixel", frame.total());
 }
 
-BENCHMARK(scan)
-    ->ArgNames({"scene", "width", "height"})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {320}, {240}})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {640}, {480}})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {1280}, {720}})
-    ->ArgsProduct({{0, 1, 2, 3, 4}, {1920}, {1080}})
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(scan)->Apply(bench::every_scene_and_size);
 
 }  // namespace
 }  // namespace maggic

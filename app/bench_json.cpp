@@ -4,14 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_report.hpp"
+#include "app/milliseconds.hpp"
 #include "app/score_json.hpp"
 
 namespace maggic::app {
 namespace {
-
-double in_ms(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
 
 OrderedJson to_json(const DurationFigures& figures) {
   return {{"min", in_ms(figures.min)}, {"p50", in_ms(figures.p50)}, {"p99", in_ms(figures.p99)}};

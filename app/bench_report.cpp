@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/milliseconds.hpp"
 #include "app/text_table.hpp"
 
 namespace maggic::app {
@@ -15,10 +16,6 @@ using Align = TextTable::Align;
 constexpr std::size_t kIndent = 2;
 constexpr std::size_t kWidth = 200;
 constexpr std::size_t kMebi = std::size_t{1} << 20;
-
-double in_ms(std::chrono::nanoseconds time) {
-  return std::chrono::duration<double, std::milli>(time).count();
-}
 
 /// Small ones keep their digits.
 std::string ms(std::chrono::nanoseconds time) {

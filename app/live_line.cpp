@@ -6,15 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "app/milliseconds.hpp"
+
 namespace maggic::app {
 namespace {
 
 /// Short on narrow terminals: the numbers tell more than the bar.
 int bar_cells(int width) { return width >= 150 ? 20 : width >= 110 ? 10 : 6; }
-
-double ms(std::chrono::nanoseconds t) {
-  return std::chrono::duration<double, std::milli>(t).count();
-}
 
 std::string clock(double seconds) {
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
@@ -60,7 +58,7 @@ std::string quantiles_text(std::string_view name, const Quantiles& q) {
 }  // namespace
 
 Quantiles quantiles_of(const DurationHistogram& histogram) {
-  return {ms(histogram.quantile(0.5)), ms(histogram.quantile(0.99))};
+  return {in_ms(histogram.quantile(0.5)), in_ms(histogram.quantile(0.99))};
 }
 
 std::string live_line(const LiveState& state, int width) {

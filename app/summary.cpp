@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "app/milliseconds.hpp"
 #include "app/text_table.hpp"
 
 namespace maggic::app {
@@ -14,7 +15,7 @@ constexpr std::size_t kIndent = 2;
 constexpr std::size_t kWidth = 200;
 
 std::string ms(std::chrono::nanoseconds t) {
-  return fmt::format("{:.3f}", std::chrono::duration<double, std::milli>(t).count());
+  return fmt::format("{:.3f}", in_ms(t));
 }
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {

@@ -17,7 +17,7 @@ inline void every_scene_and_size(benchmark::internal::Benchmark* cases) {
       ->Unit(benchmark::kMicrosecond);
 }
 
-/// Reports, as "s/<item>", how long one of the `items` of an iteration takes.
+/// Reports, under `name`, how long one of the `items` of an iteration takes.
 inline void report_seconds_per(benchmark::State& state, const char* name, std::size_t items) {
   state.counters[name] = benchmark::Counter(
       static_cast<double>(items),

@@ -21,12 +21,12 @@ FramePool::FramePool(std::size_t slots) {
   for (std::size_t i = 0; i < slots; ++i) {
     slots_.push_back(std::make_unique<PooledFrame>());
     slots_.back()->pool_ = this;
-    free_.push_back(slots_.back().get());
   }
 }
 
 FramePtr FramePool::acquire(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
+  if (first_unused_ < slots_.size()) return FramePtr(slots_[first_unused_++].get());
   if (!freed_.wait_for(lock, timeout, [this] { return !free_.empty(); })) return nullptr;
   PooledFrame* frame = free_.back();
   free_.pop_back();

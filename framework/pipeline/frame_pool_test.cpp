@@ -32,6 +32,14 @@ TEST(FramePool, ASlotComesBackWithItsLastOwnerAndKeepsItsBuffers) {
   EXPECT_EQ(again->result.frame.bgr.data, buffer);
 }
 
+TEST(FramePool, GivesSlotsNeverUsedBeforeReturnedOnes) {
+  FramePool pool(2);
+  const PooledFrame* first = pool.acquire(milliseconds(0)).get();
+  const PooledFrame* second = pool.acquire(milliseconds(0)).get();
+  EXPECT_NE(second, first);
+  EXPECT_EQ(pool.acquire(milliseconds(0)).get(), second) << "the one returned last";
+}
+
 TEST(FramePool, AWaitingThreadGetsTheSlotAnotherOneReturns) {
   FramePool pool(1);
   FramePtr held = pool.acquire(milliseconds(0));

@@ -2,8 +2,8 @@
 /// A fixed set of FrameResults passed between threads without copying or allocating.
 
 #include <atomic>
-#include <condition_variable>
 #include <chrono>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -43,7 +43,8 @@ class FramePool {
   explicit FramePool(std::size_t slots);
 
   /// A free slot, its buffers as the last user left them; null when none came free within
-  /// `timeout`.
+  /// `timeout`. Slots never used come first, so that all of them have their buffers early in a run;
+  /// then the one returned last, whose buffers are likeliest in the cache.
   FramePtr acquire(std::chrono::milliseconds timeout);
 
  private:
@@ -53,7 +54,8 @@ class FramePool {
   std::vector<std::unique_ptr<PooledFrame>> slots_;
   std::mutex mutex_;
   std::condition_variable freed_;
-  std::vector<PooledFrame*> free_;
+  std::size_t first_unused_ = 0;    ///< This slot and those behind it were never given out.
+  std::vector<PooledFrame*> free_;  ///< Of the others.
 };
 
 }  // namespace maggic

@@ -1,5 +1,6 @@
 #include "maggic/pipeline.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -12,6 +13,12 @@
 #include "search/predicted_search.hpp"
 
 namespace maggic {
+namespace {
+
+// More than two teams of any league; if there are more of them the vector grows.
+constexpr std::size_t kUsualRobots = 32;
+
+}  // namespace
 
 /// Gives the time since construction, or since the last `lap`.
 class Pipeline::StopWatch {
@@ -78,6 +85,7 @@ FrameOutcome Pipeline::process(FrameResult& result) {
     return FrameOutcome::kSkipped;
   }
   take_size(result.frame.bgr.size());
+  make_room(result);
   find_blobs(result, watch);
   result.times[Step::kBlobs] += watch.lap();
 
@@ -113,6 +121,15 @@ void Pipeline::take_size(cv::Size size) {
   field_area_ = maggic::field_area(*field, parts_.scan.margin_mm);
   if (search_) search_->forget();
   field_ = std::move(field);
+}
+
+// At once as much as may be needed: a slot that is seldom used would have to grow long after the
+// others did. Pages that are never written cost nothing.
+void Pipeline::make_room(FrameResult& result) const {
+  const std::size_t pixels = result.frame.bgr.total();
+  result.runs.reserve(std::min(blob_limits_px_.max_runs, pixels));
+  result.blobs.reserve(std::min({blob_limits_px_.max_blobs, blob_limits_px_.max_runs, pixels}));
+  result.detections.robots.reserve(kUsualRobots);
 }
 
 void Pipeline::find_blobs(FrameResult& result, StopWatch& watch) {

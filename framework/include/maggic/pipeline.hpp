@@ -65,7 +65,8 @@ enum class FrameOutcome {
   kSkipped,  ///< No picture in it, or one that cannot be converted; told through the reporter.
 };
 
-/// Runs frames through the stages. One thread at a time. Allocates nothing per frame once warm.
+/// Runs frames through the stages. One thread at a time. Allocates nothing per frame once warm, that
+/// is, for FrameResults it filled before; pictures that have to be converted are the exception.
 class Pipeline {
  public:
   /// Compiles the ColorTable where both stages depend on colour alone.
@@ -111,6 +112,7 @@ class Pipeline {
   class StopWatch;
 
   void take_size(cv::Size size);
+  void make_room(FrameResult& result) const;
   void find_blobs(FrameResult& result, StopWatch& watch);
   BlobExtractor::LeftOut find_blobs_in(const ScanArea& area, const cv::Mat* labels,
                                        FrameResult& result, StopWatch& watch);

@@ -64,7 +64,9 @@ struct SameImageNormalizer : ImageNormalizer {
   void normalize(const cv::Mat& bgr, cv::Mat& normalized) override { bgr.copyTo(normalized); }
 };
 struct RedImageSegmenter : ImageSegmenter {
-  void segment(const cv::Mat&, const cv::Mat& normalized, cv::Mat& labels) override {
+  std::function<void(const cv::Mat&)> at_picture = [](const cv::Mat&) {};
+  void segment(const cv::Mat& bgr, const cv::Mat& normalized, cv::Mat& labels) override {
+    at_picture(bgr);
     for (int y = 0; y < labels.rows; ++y) {
       for (int x = 0; x < labels.cols; ++x) {
         labels.at<Label>(y, x) = normalized.at<cv::Vec3b>(y, x)[2] > 127 ? 1 : 0;
@@ -84,11 +86,13 @@ struct RecordingSink : Sink {
   std::vector<std::uint64_t> sequences;
   std::function<void()> at_open = [] {};
   std::function<void(std::uint64_t)> at_write = [](std::uint64_t) {};
+  std::function<void(const cv::Mat&)> at_picture = [](const cv::Mat&) {};
   bool closed = false;
 
   void open(const RunInfo&) override { at_open(); }
   void write(const FrameResult& result, const Field&) override {
     at_write(result.frame.sequence);
+    at_picture(result.frame.bgr);
     sequences.push_back(result.frame.sequence);
   }
   void close() override { closed = true; }
@@ -103,6 +107,7 @@ NamedStage<Kind> named(std::string name, std::unique_ptr<Kind> stage) {
 struct Rig {
   testing::RecordingReporter reporter;
   CountingSource* source = nullptr;
+  RedImageSegmenter* segmenter = nullptr;  ///< Null unless the stages need the picture.
   HookTracker* tracker = nullptr;
   std::vector<RecordingSink*> sinks;
   BuiltPipeline built;
@@ -121,7 +126,9 @@ struct Rig {
     parts.light = light;
     if (image_stages) {
       parts.normalizer = named<Normalizer>("same", std::make_unique<SameImageNormalizer>());
-      parts.segmenter = named<Segmenter>("red", std::make_unique<RedImageSegmenter>());
+      auto new_segmenter = std::make_unique<RedImageSegmenter>();
+      segmenter = new_segmenter.get();
+      parts.segmenter = named<Segmenter>("red", std::move(new_segmenter));
     } else {
       parts.normalizer = named<Normalizer>("same", std::make_unique<SameNormalizer>());
       parts.segmenter = named<Segmenter>("red", std::make_unique<RedSegmenter>());

@@ -1,6 +1,11 @@
 #include "maggic/runner.hpp"
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <numeric>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -97,6 +102,74 @@ TEST(RunRecorded, AFrameNeverKeepsTheTrueLabelsOfAnotherOne) {
     if (!result.frame.truth_labels.empty()) labelled.push_back(result.frame.sequence);
   });
   EXPECT_EQ(labelled, first(30));
+}
+
+/// Where the two threads of a run wait for each other.
+class Meeting {
+ public:
+  /// Whether the other one comes to meeting `number` too. Nobody waits after one that failed.
+  bool of_source(int number) { return meet(source_, tracker_, number); }
+  bool of_tracker(int number) { return meet(tracker_, source_, number); }
+
+ private:
+  bool meet(int& self, const int& other, int number) {
+    std::unique_lock lock(mutex_);
+    self = number;
+    changed_.notify_all();
+    changed_.wait_for(lock, std::chrono::seconds(10), [&] { return failed_ || other >= number; });
+    failed_ = failed_ || other < number;
+    return !failed_;
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int source_ = 0;
+  int tracker_ = 0;
+  bool failed_ = false;
+};
+
+// The source reads frame n + 1 only while the tracker is at frame n, which in turn waits for that.
+TEST(RunRecorded, ReadsAFrameWhileTheOneBeforeItIsTracked) {
+  Rig rig(50, 0);
+  Meeting meeting;
+  std::atomic<int> read_meanwhile{0};
+  std::atomic<int> tracked_meanwhile{0};
+  rig.source->before_read = [&](std::uint64_t n) {
+    if (n == 0) return;
+    if (!meeting.of_source(static_cast<int>(n))) throw std::runtime_error("read alone");
+    ++read_meanwhile;
+  };
+  rig.tracker->at_frame = [&](std::uint64_t n) {
+    if (n + 1 == rig.source->count) return;
+    if (!meeting.of_tracker(static_cast<int>(n) + 1)) throw std::runtime_error("tracked alone");
+    ++tracked_meanwhile;
+  };
+  const RunSummary summary = run_to_end(rig, {.max_frames = 50});
+  EXPECT_TRUE(summary.clean()) << summary.first_error;
+  EXPECT_EQ(read_meanwhile, 49);
+  EXPECT_EQ(tracked_meanwhile, 49);
+}
+
+TEST(RunRecorded, StagesAndSinksAreGivenThePictureItselfNotACopy) {
+  Rig rig(40, 1, true);
+  std::vector<const unsigned char*> made;
+  std::vector<const unsigned char*> segmented;
+  std::vector<const unsigned char*> done;
+  std::vector<const unsigned char*> written;
+  rig.source->picture = [&](std::uint64_t) {
+    const cv::Mat picture(8, 8, CV_8UC3, cv::Scalar::all(0));
+    made.push_back(picture.data);
+    return picture;
+  };
+  rig.segmenter->at_picture = [&](const cv::Mat& bgr) { segmented.push_back(bgr.data); };
+  rig.sinks[0]->at_picture = [&](const cv::Mat& bgr) { written.push_back(bgr.data); };
+  const std::atomic<bool> stop{false};
+  run(rig.built, {}, stop, rig.reporter,
+      [&](const FrameResult& result, const RunSummary&) { done.push_back(result.frame.bgr.data); });
+  ASSERT_THAT(made, SizeIs(40));
+  EXPECT_EQ(segmented, made);
+  EXPECT_EQ(done, made);
+  EXPECT_EQ(written, made);
 }
 
 TEST(RunLive, NewestFrameWinsAndDropsAreCounted) {

@@ -78,7 +78,7 @@ using RefusedPlugin = PluginFolders;
 
 TEST_F(RefusedPlugin, OfAnotherAbiNeverRunsALine) {
   EXPECT_EQ(reason_of("other_abi"),
-            "is built for plugin ABI 3, this program speaks 2: build it again");
+            "is built for plugin ABI 4, this program speaks 3: build it again");
 }
 
 TEST_F(RefusedPlugin, IsALibraryButNoPlugin) {

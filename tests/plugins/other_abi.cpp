@@ -16,4 +16,4 @@ const RunsWhenLoaded runs_when_loaded;
 
 }  // namespace
 
-BOOST_DLL_ALIAS(descriptor_of_the_future, maggic_plugin_v3)
+BOOST_DLL_ALIAS(descriptor_of_the_future, maggic_plugin_v4)

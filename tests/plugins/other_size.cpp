@@ -14,4 +14,4 @@ const EarlierDescriptor descriptor;
 
 }  // namespace
 
-BOOST_DLL_ALIAS(descriptor, maggic_plugin_v2)
+BOOST_DLL_ALIAS(descriptor, maggic_plugin_v3)

@@ -4,6 +4,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "maggic/color_batch.hpp"
+#include "maggic/color_box.hpp"
 #include "maggic/stage.hpp"
 
 namespace maggic {
@@ -20,6 +21,13 @@ class ColorNormalizer : public Normalizer {
   /// depend on its neighbours, on the batch size or on earlier calls (batch equals single);
   /// thread-safe, as `const` says: the host compiles on several threads at once; never throws.
   virtual void normalize(const ColorBatch& in, const MutableColorBatch& out) const = 0;
+
+  /// A box that holds the normalised colour of every colour of `in`. The narrower, the fewer
+  /// colours the host has to run one by one through `normalize` and the segmenter. Where a channel
+  /// grows or falls with each channel of `in`, the corners of `in` give the narrowest box.
+  /// Contract: no normalised colour lies outside; thread-safe; never throws. The default, the whole
+  /// cube, is always right and never helps.
+  virtual ColorBox bounds(const ColorBox& /*in*/) const { return {}; }
 };
 
 /// A normalizer that needs the picture (for instance to estimate the light over the field). Runs

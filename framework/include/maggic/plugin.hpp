@@ -18,7 +18,7 @@
 
 /// Raised whenever a class in this SDK changes its layout or its virtual functions. It is part of
 /// the exported symbol's name, so a plugin of another ABI is refused before a line of it runs.
-#define MAGGIC_PLUGIN_ABI 2
+#define MAGGIC_PLUGIN_ABI 3
 
 #define MAGGIC_STRINGIZE_(x) #x
 #define MAGGIC_STRINGIZE(x) MAGGIC_STRINGIZE_(x)

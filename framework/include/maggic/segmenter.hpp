@@ -1,6 +1,7 @@
 #pragma once
 /// Segmenters: give every pixel the label of a palette colour, or background.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "maggic/color_batch.hpp"
+#include "maggic/color_box.hpp"
 #include "maggic/color_samples.hpp"
 #include "maggic/palette.hpp"
 #include "maggic/stage.hpp"
@@ -26,6 +28,16 @@ class ColorSegmenter : public Segmenter {
   /// palette's size; batch equals single; thread-safe; never throws.
   virtual void segment(const ColorBatch& original, const ColorBatch& normalized,
                        std::span<Label> labels) const = 0;
+
+  /// The one label that `segment` gives whenever the original colour lies in `original` and the
+  /// normalised one in `normalized`, whichever colours of the two boxes meet. Spares the host a
+  /// `segment` of them all. Nothing: the labels differ, or the segmenter cannot tell.
+  /// Contract: a label answered is the one `segment` gives to all of them; thread-safe; never
+  /// throws. The default, nothing, is always right and never helps.
+  virtual std::optional<Label> label_of(const ColorBox& /*original*/,
+                                        const ColorBox& /*normalized*/) const {
+    return {};
+  }
 
   /// Why one colour gets its label, in words a person at the field can act on, naming the rule and
   /// its numbers: "gray: channels spread over 12 steps, gray_threshold is 60". One sentence a line.

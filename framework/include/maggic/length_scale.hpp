@@ -30,6 +30,11 @@ class LengthScale {
   /// @param factors of the batch's size.
   void look_up(const ColorBatch& colors, std::span<float> factors) const;
 
+  /// The factor of the colour with these channels, in any order.
+  float factor(std::uint8_t b, std::uint8_t g, std::uint8_t r) const {
+    return factors_[static_cast<std::size_t>(b * b + g * g + r * r)];
+  }
+
  private:
   std::vector<float> factors_;
 };

@@ -36,8 +36,23 @@ class Chromatic final : public maggic::ColorNormalizer {
     }
   }
 
+  // A channel's share grows with the channel and falls with the other two.
+  maggic::ColorBox bounds(const maggic::ColorBox& in) const override {
+    return {range(in.b, in.g, in.r), range(in.g, in.r, in.b), range(in.r, in.b, in.g)};
+  }
+
  private:
   static constexpr std::size_t kPiece = 1024;
+
+  static std::uint8_t share_of(int own, int others) {
+    return static_cast<std::uint8_t>(own == 0 ? 0 : 255 * own / (own + others));
+  }
+
+  static maggic::ChannelRange range(maggic::ChannelRange own, maggic::ChannelRange other,
+                                    maggic::ChannelRange third) {
+    return {share_of(own.first, other.last + third.last),
+            share_of(own.last, other.first + third.first)};
+  }
 
   static void invert_sums(const std::uint8_t* __restrict b, const std::uint8_t* __restrict g,
                           const std::uint8_t* __restrict r, std::span<float> inverse_sums) {

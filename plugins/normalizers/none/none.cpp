@@ -23,6 +23,8 @@ class None final : public maggic::ColorNormalizer {
     std::ranges::copy(in.g, out.g.begin());
     std::ranges::copy(in.r, out.r.begin());
   }
+
+  maggic::ColorBox bounds(const maggic::ColorBox& in) const override { return in; }
 };
 
 }  // namespace

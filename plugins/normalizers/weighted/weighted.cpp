@@ -11,55 +11,16 @@
 ///
 /// No parameters. Source: MaggicVision, weighted normalisation transform.
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <span>
 
-#include "maggic/length_scale.hpp"
+#include "../length_normalizer.hpp"
 #include "maggic/plugin.hpp"
 
 namespace {
 
-class Weighted final : public maggic::ColorNormalizer {
- public:
-  void prepare(const maggic::StageContext& /*context*/) override { scale_.emplace(numerators()); }
+constexpr std::uint32_t weighed(std::uint32_t c) { return c * c; }
 
-  void normalize(const maggic::ColorBatch& in,
-                 const maggic::MutableColorBatch& out) const override {
-    constexpr std::size_t kPiece = 1024;
-    std::array<float, kPiece> factors;
-    for (std::size_t start = 0; start < in.size(); start += kPiece) {
-      const std::size_t count = std::min(kPiece, in.size() - start);
-      const std::span<float> piece_factors(factors.data(), count);
-      scale_->look_up({in.b.subspan(start, count), in.g.subspan(start, count),
-                      in.r.subspan(start, count)},
-                     piece_factors);
-      weigh(in.b.data() + start, piece_factors, out.b.data() + start);
-      weigh(in.g.data() + start, piece_factors, out.g.data() + start);
-      weigh(in.r.data() + start, piece_factors, out.r.data() + start);
-    }
-  }
-
- private:
-  static void weigh(const std::uint8_t* __restrict in, std::span<const float> factors,
-                    std::uint8_t* __restrict out) {
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-      out[i] = static_cast<std::uint8_t>(
-          static_cast<int>(static_cast<float>(in[i] * in[i]) * factors[i]));
-    }
-  }
-
-  static std::array<std::uint32_t, 256> numerators() {
-    std::array<std::uint32_t, 256> values;
-    for (std::uint32_t c = 0; c < values.size(); ++c) values[c] = c * c;
-    return values;
-  }
-
-  std::optional<maggic::LengthScale> scale_;
-};
+class Weighted final : public maggic::LengthNormalizer<weighed> {};
 
 }  // namespace
 

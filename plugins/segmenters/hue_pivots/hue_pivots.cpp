@@ -52,7 +52,9 @@
 
 namespace {
 
+using maggic::ChannelRange;
 using maggic::ColorBatch;
+using maggic::ColorBox;
 using maggic::kBackground;
 using maggic::Label;
 using maggic::Parameters;
@@ -82,6 +84,10 @@ struct Exclusion {
 };
 
 constexpr std::size_t kMaxExclusions = 32;
+
+// OpenCV's hue is off the true one by less: half a step of rounding, and up to 1275 · 0.5 / 4096 of
+// the scale's. So two of them order as the true ones do, give or take one step.
+constexpr int kHueError = 1;
 
 // Colours are worked through in pieces that keep what lies between two loops on the stack.
 constexpr std::size_t kPiece = 1024;
@@ -124,22 +130,23 @@ int spread_of(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
   return largest(b, g, r) - smallest(b, g, r);
 }
 
+std::uint32_t hue_index_of(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
+  const std::uint8_t value = largest(b, g, r);
+  const auto spread = static_cast<std::int16_t>(value - smallest(b, g, r));
+  const auto of_red = static_cast<std::int16_t>(g - b);
+  const auto of_green = static_cast<std::int16_t>(b - r + 2 * spread);
+  const auto of_blue = static_cast<std::int16_t>(r - g + 4 * spread);
+  const std::int16_t below_red = value == g ? of_green : of_blue;
+  const std::int16_t numerator = value == r ? of_red : below_red;
+  return hue_index(static_cast<std::uint32_t>(spread), numerator);
+}
+
 void hue_indices(const ColorBatch& colors, std::uint32_t* __restrict indices) {
   const std::uint8_t* __restrict blue = colors.b.data();
   const std::uint8_t* __restrict green = colors.g.data();
   const std::uint8_t* __restrict red = colors.r.data();
   for (std::size_t i = 0; i < colors.size(); ++i) {
-    const std::uint8_t b = blue[i];
-    const std::uint8_t g = green[i];
-    const std::uint8_t r = red[i];
-    const std::uint8_t value = largest(b, g, r);
-    const auto spread = static_cast<std::int16_t>(value - smallest(b, g, r));
-    const auto of_red = static_cast<std::int16_t>(g - b);
-    const auto of_green = static_cast<std::int16_t>(b - r + 2 * spread);
-    const auto of_blue = static_cast<std::int16_t>(r - g + 4 * spread);
-    const std::int16_t below_red = value == g ? of_green : of_blue;
-    const std::int16_t numerator = value == r ? of_red : below_red;
-    indices[i] = hue_index(static_cast<std::uint32_t>(spread), numerator);
+    indices[i] = hue_index_of(blue[i], green[i], red[i]);
   }
 }
 
@@ -179,10 +186,11 @@ class HuePivots final : public maggic::ColorSegmenter {
           context.palette.known_names()));
     }
     hues_ = opencv_hues();
-    const std::array<Label, kHues> label_of_hue = nearest_pivots(used_pivots_);
+    label_of_hue_ = nearest_pivots(used_pivots_);
     label_of_index_.resize(hues_.size());
     std::ranges::transform(hues_, label_of_index_.begin(),
-                           [&](std::uint8_t hue) { return label_of_hue[hue]; });
+                           [&](std::uint8_t hue) { return label_of_hue_[hue]; });
+    count_same_labels();
     label_of_index_[hue_index(0, 0)] = kBackground;
     prepare_exclusions();
   }
@@ -207,6 +215,23 @@ class HuePivots final : public maggic::ColorSegmenter {
       clear_gray(normalized_piece, piece);
       if (!exclusions_.empty()) clear_excluded(hue_piece, indices.data(), piece);
     }
+  }
+
+  std::optional<Label> label_of(const ColorBox& original,
+                                const ColorBox& normalized) const override {
+    const ChannelRange spread = maggic::spread_range(normalized);
+    if (spread.last <= gray_threshold_) return kBackground;
+    const ColorBox& of_hue = hue_of_ == HueOf::kOriginal ? original : normalized;
+    const bool may_be_gray = spread.first <= gray_threshold_ || maggic::holds_gray(of_hue);
+    if (may_be_gray && exclusions_.empty()) return {};
+    const HueArc arc = hue_arc(of_hue);
+    if (!exclusions_.empty()) {
+      const Held excluded = held_by_exclusions(of_hue, arc);
+      if (excluded == Held::kAll) return kBackground;
+      if (excluded == Held::kSome) return {};
+    }
+    if (may_be_gray || arc.steps > same_label_steps_[arc.first]) return {};
+    return label_of_hue_[arc.first];
   }
 
   std::string explain(const ColorBatch& original, const ColorBatch& normalized) const override {
@@ -247,6 +272,93 @@ class HuePivots final : public maggic::ColorSegmenter {
   }
 
  private:
+  /// Hues from `first` on, `steps` further ones, through 255 to 0.
+  struct HueArc {
+    std::uint8_t first;
+    int steps;
+
+    static HueArc from_to(int first, int last) {
+      return {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(last - first)};
+    }
+
+    bool holds(const HueArc& other) const {
+      return steps == kHues - 1 || ahead_of_first(other.first) + other.steps <= steps;
+    }
+    bool meets(const HueArc& other) const {
+      return ahead_of_first(other.first) <= steps || other.ahead_of_first(first) <= other.steps;
+    }
+
+   private:
+    int ahead_of_first(std::uint8_t hue) const { return static_cast<std::uint8_t>(hue - first); }
+  };
+
+  /// Holds the hues of all the box's colours.
+  HueArc hue_arc(const ColorBox& box) const {
+    constexpr HueArc kAll{0, kHues - 1};
+    if (maggic::holds_gray(box)) return kAll;
+    const auto hue_at = [&](std::uint8_t b, std::uint8_t g, std::uint8_t r) {
+      return hues_[hue_index_of(b, g, r)];
+    };
+    // Seen along the gray axis the box is a hexagon and colours of one hue lie on a ray from the
+    // axis: from outside of the hexagon the first and the last ray to touch it do so at corners.
+    const auto& [b, g, r] = box;
+    const std::uint8_t start = hue_at(b.last, g.first, r.first);
+    const std::array<std::uint8_t, 5> others{
+        hue_at(b.last, g.last, r.first), hue_at(b.first, g.last, r.first),
+        hue_at(b.first, g.last, r.last), hue_at(b.first, g.first, r.last),
+        hue_at(b.last, g.first, r.last)};
+    int lowest = 0;
+    int highest = 0;
+    for (const std::uint8_t hue : others) {
+      const int ahead = static_cast<std::int8_t>(hue - start);
+      lowest = std::min(lowest, ahead);
+      highest = std::max(highest, ahead);
+    }
+    // Near half a circle, which way round it goes is not certain.
+    if (highest - lowest > kHues / 3) return kAll;
+    return HueArc::from_to(start + lowest - kHueError, start + highest + kHueError);
+  }
+
+  enum class Held { kNone, kSome, kAll };
+
+  /// How many of the box's colours, whose hues are within `arc`, the exclusions hold.
+  Held held_by_exclusions(const ColorBox& box, const HueArc& arc) const {
+    const ChannelRange value = maggic::value_range(box);
+    const ChannelRange saturation = saturation_range(box);
+    Held held = Held::kNone;
+    for (const Exclusion& exclusion : exclusions_) {
+      const HueArc hues = HueArc::from_to(exclusion.hue[0], exclusion.hue[1]);
+      if (!hues.meets(arc) || !meets(exclusion.value, value) ||
+          !meets(exclusion.saturation, saturation)) {
+        continue;
+      }
+      if (hues.holds(arc) && holds(exclusion.value, value) &&
+          holds(exclusion.saturation, saturation)) {
+        return Held::kAll;
+      }
+      held = Held::kSome;
+    }
+    return held;
+  }
+
+  // Grows with the value and falls with the smallest channel, but for the step that is rounded.
+  ChannelRange saturation_range(const ColorBox& box) const {
+    const ChannelRange value = maggic::value_range(box);
+    const int least_spread = value.first - smallest(box.b.last, box.g.last, box.r.last);
+    const int most_spread = value.last - smallest(box.b.first, box.g.first, box.r.first);
+    const int first = saturation_of(value.first, std::max(least_spread, 0)) - 1;
+    const int last = saturation_of(value.last, most_spread) + 1;
+    return {static_cast<std::uint8_t>(std::max(first, 0)),
+            static_cast<std::uint8_t>(std::min(last, 255))};
+  }
+
+  static bool meets(const std::vector<int>& span, ChannelRange range) {
+    return range.first <= span[1] && range.last >= span[0];
+  }
+  static bool holds(const std::vector<int>& span, ChannelRange range) {
+    return range.first >= span[0] && range.last <= span[1];
+  }
+
   std::vector<std::uint8_t> hues_of(const ColorBatch& colors) const {
     std::vector<std::uint32_t> indices(colors.size());
     hue_indices(colors, indices.data());
@@ -404,6 +516,18 @@ class HuePivots final : public maggic::ColorSegmenter {
     check_order("saturation", exclusion.saturation);
   }
 
+  void count_same_labels() {
+    for (std::size_t hue = 0; hue < kHues; ++hue) {
+      int& steps = same_label_steps_[hue];
+      steps = 0;
+      while (steps < kHues - 1 &&
+             label_of_hue_[(hue + static_cast<std::size_t>(steps) + 1) % kHues] ==
+                 label_of_hue_[hue]) {
+        ++steps;
+      }
+    }
+  }
+
   void prepare_exclusions() {
     constexpr int kShift = 12;
     for (int value = 1; value < 256; ++value) {
@@ -508,6 +632,8 @@ class HuePivots final : public maggic::ColorSegmenter {
   Pivots used_pivots_;                 ///< Those given, or the defaults.
   std::vector<std::uint8_t> hues_;     ///< At hue_index.
   std::vector<Label> label_of_index_;  ///< At hue_index.
+  std::array<Label, kHues> label_of_hue_{};
+  std::array<int, kHues> same_label_steps_{};  ///< How many hues after this one share its label.
   std::array<int, 256> saturation_scale_{};
   SpanBits hue_bits_{};
   SpanBits value_bits_{};

@@ -141,6 +141,27 @@ class YuvBoxes final : public maggic::ColorSegmenter {
     }
   }
 
+  std::optional<Label> label_of(const maggic::ColorBox& original,
+                                const maggic::ColorBox& normalized) const override {
+    bool may_be_gray = false;
+    if (gray_threshold_) {
+      const maggic::ChannelRange spread = maggic::spread_range(original);
+      if (spread.last <= *gray_threshold_) return maggic::kBackground;
+      may_be_gray = spread.first <= *gray_threshold_;
+    }
+    const YuvRanges colors(normalized);
+    for (const auto& [label, box] : boxes_) {
+      if (!overlap(colors.y, box.y) || !overlap(colors.u, box.u) || !overlap(colors.v, box.v)) {
+        continue;
+      }
+      const bool holds_all = holds(box.y, colors.y) && holds(box.u, colors.u) &&
+                             holds(box.v, colors.v);
+      if (may_be_gray || !holds_all) return {};
+      return label;
+    }
+    return maggic::kBackground;
+  }
+
   std::string explain(const ColorBatch& original, const ColorBatch& normalized) const override {
     const Yuv color(normalized);
     std::string by_box = fmt::format("YUV {} {} {} of the normalized colour {}", color.y, color.u,
@@ -212,6 +233,35 @@ class YuvBoxes final : public maggic::ColorSegmenter {
       v = yuv[2];
     }
   };
+
+  /// The values that the conversion gives to the colours of a box. Each of the three grows or falls
+  /// with each channel, so the corners have the extremes.
+  struct YuvRanges {
+    maggic::ChannelRange y;
+    maggic::ChannelRange u;
+    maggic::ChannelRange v;
+
+    explicit YuvRanges(const maggic::ColorBox& box) {
+      const auto& [b, g, r] = box;
+      const std::array<std::uint8_t, 6> blue{b.first, b.last, b.first, b.last, b.last, b.first};
+      const std::array<std::uint8_t, 6> green{g.first, g.last, g.last, g.first, g.last, g.first};
+      const std::array<std::uint8_t, 6> red{r.first, r.last, r.last, r.first, r.first, r.last};
+      std::array<std::uint8_t, 6> all_y;
+      std::array<std::uint8_t, 6> all_u;
+      std::array<std::uint8_t, 6> all_v;
+      convert_to_yuv({blue, green, red}, all_y.data(), all_u.data(), all_v.data());
+      y = {all_y[0], all_y[1]};
+      u = {all_u[2], all_u[3]};
+      v = {all_v[4], all_v[5]};
+    }
+  };
+
+  static bool overlap(maggic::ChannelRange range, const std::vector<int>& bounds) {
+    return range.first <= bounds[1] && range.last >= bounds[0];
+  }
+  static bool holds(const std::vector<int>& bounds, maggic::ChannelRange range) {
+    return range.first >= bounds[0] && range.last <= bounds[1];
+  }
 
   /// How far a colour lies outside of a box.
   struct Miss {

@@ -148,6 +148,16 @@ TEST_F(BrokenPlugin, SegmenterWithLabelsOutOfThePalette) {
               ElementsAre("label 200 was written, expected labels below the palette's size 10"));
 }
 
+TEST_F(BrokenPlugin, NormalizerWithBoundsThatAreTooNarrow) {
+  EXPECT_THAT(testing::check_conformance(StageKind::kNormalizer, "narrow_bounds_normalizer"),
+              ElementsAre(AllOf(StartsWith("the bounds of B "), HasSubstr(", but B "))));
+}
+
+TEST_F(BrokenPlugin, SegmenterThatTakesOneColorForAllOfABox) {
+  EXPECT_THAT(testing::check_conformance(StageKind::kSegmenter, "hasty_segmenter"),
+              ElementsAre(AllOf(StartsWith("label_of gives B "), HasSubstr("but segment gives B "))));
+}
+
 TEST_F(BrokenPlugin, SegmenterThatLeavesPixelsUnwritten) {
   EXPECT_THAT(testing::check_conformance(StageKind::kSegmenter, "forgetful_segmenter"),
               Contains("two instances on two threads disagree on a picture of 17×9, or left pixels "

@@ -1,3 +1,4 @@
+#include "bounds_contract.hpp"
 #include "color_contract.hpp"
 #include "conformance.hpp"
 #include "image_contract.hpp"
@@ -25,6 +26,7 @@ void check_normalizer(const Maker<Normalizer>& make, Findings& findings) {
   if (const auto* color = dynamic_cast<const ColorNormalizer*>(first.get())) {
     check_color_function(as_function(*color),
                          as_function(dynamic_cast<const ColorNormalizer&>(*second)), findings);
+    check_bounds(*color, findings);
   } else if (auto* image = dynamic_cast<ImageNormalizer*>(first.get())) {
     check_image_function(as_function(*image), as_function(dynamic_cast<ImageNormalizer&>(*second)),
                          findings);

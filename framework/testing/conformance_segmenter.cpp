@@ -1,3 +1,4 @@
+#include "bounds_contract.hpp"
 #include "color_contract.hpp"
 #include "conformance.hpp"
 #include "image_contract.hpp"
@@ -26,6 +27,7 @@ void check_segmenter(const Maker<Segmenter>& make, Findings& findings) {
   if (const auto* color = dynamic_cast<const ColorSegmenter*>(first.get())) {
     check_color_function(as_function(*color),
                          as_function(dynamic_cast<const ColorSegmenter&>(*second)), findings);
+    check_label_of(*color, findings);
   } else if (auto* image = dynamic_cast<ImageSegmenter*>(first.get())) {
     check_image_function(as_function(*image), as_function(dynamic_cast<ImageSegmenter&>(*second)),
                          findings);

@@ -44,7 +44,8 @@ StagePtr<T> make(std::string_view name, std::string_view yaml = "") {
 /// Runs every promise of the kind's contract that can be tested against plugin `name`: odd sizes
 /// and padded rows with guard bytes, determinism, batch equals single, two instances on two
 /// threads, a sane `describe` (defaults within range, keys unique and well-formed, meanings given),
-/// labels below the palette's size, ids unique a team, finite numbers.
+/// labels below the palette's size, what is said of boxes of colours against the colours in them,
+/// ids unique a team, finite numbers.
 /// @param yaml parameters the stage needs to work at all (a path, say).
 /// @return one sentence per broken promise; empty when the plugin conforms.
 std::vector<std::string> check_conformance(StageKind kind, std::string_view name,

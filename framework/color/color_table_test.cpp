@@ -1,6 +1,8 @@
 #include "maggic/color_table.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <optional>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
@@ -49,6 +51,55 @@ class OneColor final : public ColorSegmenter {
   Label label_;
 };
 
+/// Label 2 where red is at least 101 and blue at most 40, and says so of boxes.
+class Quarter final : public ColorSegmenter {
+ public:
+  explicit Quarter(Label label = 2) : label_(label) {}
+
+  void segment(const ColorBatch& original, const ColorBatch& /*normalized*/,
+               std::span<Label> labels) const override {
+    colors_asked_ += labels.size();
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+      labels[i] = original.r[i] >= 101 && original.b[i] <= 40 ? label_ : kBackground;
+    }
+  }
+
+  std::optional<Label> label_of(const ColorBox& original,
+                                const ColorBox& /*normalized*/) const override {
+    if (original.r.first >= 101 && original.b.last <= 40) return label_;
+    if (original.r.last < 101 || original.b.first > 40) return kBackground;
+    return {};
+  }
+
+  std::size_t colors_asked() const { return colors_asked_; }
+
+ private:
+  Label label_;
+  mutable std::atomic<std::size_t> colors_asked_{0};
+};
+
+/// The same, and says nothing of boxes.
+class SilentQuarter final : public ColorSegmenter {
+ public:
+  void segment(const ColorBatch& original, const ColorBatch& normalized,
+               std::span<Label> labels) const override {
+    Quarter().segment(original, normalized, labels);
+  }
+};
+
+/// Says of all colours what is not so.
+class AllForeign final : public ColorSegmenter {
+ public:
+  void segment(const ColorBatch& /*original*/, const ColorBatch& /*normalized*/,
+               std::span<Label> labels) const override {
+    std::ranges::fill(labels, Label{5});
+  }
+  std::optional<Label> label_of(const ColorBox& /*original*/,
+                                const ColorBox& /*normalized*/) const override {
+    return Label{5};
+  }
+};
+
 class Throwing final : public ColorSegmenter {
  public:
   void segment(const ColorBatch& /*original*/, const ColorBatch& /*normalized*/,
@@ -77,9 +128,40 @@ TEST(ColorTable, HoldsTheChainsAnswerForEveryColor) {
   EXPECT_EQ(wrong, 0U);
 }
 
+/// Both levels, not only what they say.
+void expect_identical(const ColorTable& a, const ColorTable& b) {
+  EXPECT_TRUE(std::ranges::equal(a.block_ids(), b.block_ids()));
+  EXPECT_TRUE(std::ranges::equal(a.block_labels(), b.block_labels()));
+}
+
 TEST(ColorTable, DoesNotDependOnTheNumberOfThreads) {
-  const ColorTable one = ColorTable::compile(Rotate(), Mix(), 16, 1);
-  EXPECT_EQ(ColorTable::compile(Rotate(), Mix(), 16, 3), one);
+  expect_identical(ColorTable::compile(Rotate(), Mix(), 16, 1),
+                   ColorTable::compile(Rotate(), Mix(), 16, 3));
+  expect_identical(ColorTable::compile(Rotate(), Quarter(), 3, 1),
+                   ColorTable::compile(Rotate(), Quarter(), 3, 3));
+}
+
+TEST(ColorTable, IsTheSameWhetherTheStagesSpeakOfBoxesOrNot) {
+  expect_identical(ColorTable::compile(Rotate(), Quarter(), 3),
+                   ColorTable::compile(Rotate(), SilentQuarter(), 3));
+}
+
+TEST(ColorTable, AsksOnlyForColorsThatTheBoundsLeaveOpen) {
+  const Quarter quarter;
+  ColorTable::compile(Rotate(), quarter, 3);
+  // The border runs along one layer of cells, four colours thick, in red and one in blue.
+  const std::size_t red_layer = 4 * 256 * 44;
+  const std::size_t blue_layer = 4 * 256 * 156;
+  EXPECT_EQ(quarter.colors_asked(), red_layer + blue_layer - 4 * 4 * 256);
+}
+
+TEST(ColorTable, SharesOneBlockAmongAllOfOneLabel) {
+  const ColorTable table = ColorTable::compile(Rotate(), Quarter(), 3);
+  EXPECT_TRUE(table.is_uniform(ColorTable::block_index(0, 0, 255)));
+  EXPECT_FALSE(table.is_uniform(ColorTable::block_index(40, 0, 255)));
+  // 32 along green, times 5 of blue at red 101, times 20 of red at blue 40, that in both once.
+  const std::size_t mixed = 32 * (6 + 20 - 1);
+  EXPECT_EQ(table.block_labels().size(), (3 + mixed) * ColorTable::kColorsPerBlock);
 }
 
 TEST(ColorTable, AcceptsThePalettesLastLabel) {
@@ -94,6 +176,15 @@ TEST(ColorTable, RefusesALabelThePaletteDoesNotHold) {
     FAIL() << "expected a std::logic_error";
   } catch (const std::logic_error& error) {
     EXPECT_THAT(error.what(), ::testing::HasSubstr("B 10 G 200 R 255 the label 5"));
+  }
+}
+
+TEST(ColorTable, RefusesALabelOfABoxThatThePaletteDoesNotHold) {
+  try {
+    ColorTable::compile(Rotate(), AllForeign(), 5, 1);
+    FAIL() << "expected a std::logic_error";
+  } catch (const std::logic_error& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("B 0 G 0 R 0 the label 5"));
   }
 }
 

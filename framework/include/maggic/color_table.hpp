@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "maggic/label_vector.hpp"
 #include "maggic/normalizer.hpp"
 #include "maggic/palette.hpp"
 #include "maggic/segmenter.hpp"
@@ -66,7 +67,7 @@ class ColorTable {
 
  private:
   std::vector<std::uint16_t> block_ids_;
-  std::vector<Label> block_labels_;
+  LabelVector block_labels_;
   std::size_t uniform_blocks_ = 1;
 };
 

@@ -149,10 +149,10 @@ TEST(ColorTable, IsTheSameWhetherTheStagesSpeakOfBoxesOrNot) {
 TEST(ColorTable, AsksOnlyForColorsThatTheBoundsLeaveOpen) {
   const Quarter quarter;
   ColorTable::compile(Rotate(), quarter, 3);
-  // The border runs along one layer of cells, four colours thick, in red and one in blue.
-  const std::size_t red_layer = 4 * 256 * 44;
-  const std::size_t blue_layer = 4 * 256 * 156;
-  EXPECT_EQ(quarter.colors_asked(), red_layer + blue_layer - 4 * 4 * 256);
+  // The border runs along one layer of blocks in red and one in blue.
+  const std::size_t red_layer = 32 * 6;
+  const std::size_t blue_layer = 32 * 20;
+  EXPECT_EQ(quarter.colors_asked(), (red_layer + blue_layer - 32) * ColorTable::kColorsPerBlock);
 }
 
 TEST(ColorTable, SharesOneBlockAmongAllOfOneLabel) {

@@ -8,7 +8,7 @@
 namespace maggic {
 namespace {
 
-constexpr std::uint8_t kBlockSide = 8;  // in colours
+constexpr std::uint8_t kBlockSide = ColorTable::kBlockSide;
 constexpr std::size_t kBlocksPerSide = 32;
 constexpr unsigned kOctants = 8;
 
@@ -16,9 +16,8 @@ constexpr unsigned kOctants = 8;
 constexpr std::uint8_t kLargestSide = 32;
 constexpr std::size_t kLargestCells = 8 * 8 * 8;
 
-// At most 8192 colours a batch: the planes and labels, 56 KiB, stay in a core's second cache beside
-// the stages' own tables.
-constexpr std::size_t kBlocksPerTask = 16;
+// 4096 colours a batch: the planes, 24 KiB, stay in a core's first cache.
+constexpr std::size_t kBlocksPerTask = 8;
 
 constexpr std::uint16_t kUndecided = 0xFFFF;
 
@@ -42,12 +41,10 @@ void TableCompiler::run() {
     return [this](std::size_t task) { decide_blocks(ColorCell::at(task, kLargestSide)); };
   });
   number_undecided_blocks();
-  const std::size_t undecided = undecided_blocks_.size();
-  share_out((undecided + kBlocksPerTask - 1) / kBlocksPerTask, threads_, [this, undecided] {
-    return [this, undecided,
-            colors = UndecidedColors(kBlocksPerTask * kOctants)](std::size_t task) mutable {
-      const std::size_t first = task * kBlocksPerTask;
-      label_blocks(first, std::min(first + kBlocksPerTask, undecided), colors);
+  const std::size_t tasks = (undecided_blocks_.size() + kBlocksPerTask - 1) / kBlocksPerTask;
+  share_out(tasks, threads_, [this] {
+    return [this, colors = BlockColors(kBlocksPerTask)](std::size_t task) mutable {
+      label_blocks(task * kBlocksPerTask, colors);
     };
   });
   close_gaps();
@@ -89,25 +86,15 @@ void TableCompiler::number_undecided_blocks() {
   }
 }
 
-void TableCompiler::label_blocks(std::size_t first, std::size_t last, UndecidedColors& colors) {
-  const std::span<const std::uint16_t> blocks(undecided_blocks_.data() + first, last - first);
+void TableCompiler::label_blocks(std::size_t first, BlockColors& colors) {
+  const std::size_t count = std::min(kBlocksPerTask, undecided_blocks_.size() - first);
+  const std::span<const std::uint16_t> blocks(undecided_blocks_.data() + first, count);
+  Label* labels = labels_of_block(uniform_blocks + first);
+  colors.label(normalizer_, segmenter_, palette_size_, blocks,
+               {labels, count * ColorTable::kColorsPerBlock});
   for (const std::uint16_t block : blocks) {
-    const ColorCell whole = ColorCell::at(block, kBlockSide);
-    for (unsigned i = 0; i < kOctants; ++i) {
-      const ColorCell cell = whole.octant(i);
-      Label* labels =
-          labels_of_block(block_ids[block]) + ColorTable::within_block(cell.b, cell.g, cell.r);
-      if (const std::optional<Label> label = label_of(cell)) {
-        fill_cell(*label, labels);
-      } else {
-        colors.add(cell.b, cell.g, cell.r, labels);
-      }
-    }
-  }
-  colors.label(normalizer_, segmenter_, palette_size_);
-  for (const std::uint16_t block : blocks) {
-    const Label* labels = labels_of_block(block_ids[block]);
     if (is_one_label(labels)) block_ids[block] = labels[0];
+    labels += ColorTable::kColorsPerBlock;
   }
 }
 

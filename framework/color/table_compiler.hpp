@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "color/color_cell.hpp"
-#include "color/undecided_colors.hpp"
+#include "color/block_colors.hpp"
 #include "maggic/label_vector.hpp"
 #include "maggic/normalizer.hpp"
 #include "maggic/segmenter.hpp"
@@ -15,7 +15,7 @@
 namespace maggic {
 
 /// Walks the colour cube from large cells to small ones. Cells that the stages' bounds decide are
-/// filled, the colours of the smallest others are run through both stages. Used once.
+/// filled, the colours of blocks that stay undecided are run through both stages. Used once.
 class TableCompiler {
  public:
   /// @param threads at least 1.
@@ -37,7 +37,7 @@ class TableCompiler {
   std::optional<Label> label_of(const ColorCell& cell) const;
   void decide_blocks(const ColorCell& cell);
   void number_undecided_blocks();
-  void label_blocks(std::size_t first, std::size_t last, UndecidedColors& colors);
+  void label_blocks(std::size_t first, BlockColors& colors);
   void close_gaps();
 
   Label* labels_of_block(std::size_t id);

@@ -3,7 +3,25 @@
 #include <algorithm>
 #include <limits>
 
+#include "maggic/vectorized.hpp"
+
 namespace maggic {
+namespace {
+
+// Apart from the look-up, so that it vectorises.
+MAGGIC_VECTORIZED void square_lengths(const ColorBatch& colors, std::uint32_t* __restrict squared) {
+  const std::uint8_t* __restrict b = colors.b.data();
+  const std::uint8_t* __restrict g = colors.g.data();
+  const std::uint8_t* __restrict r = colors.r.data();
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const auto bb = static_cast<std::uint16_t>(b[i] * b[i]);
+    const auto gg = static_cast<std::uint16_t>(g[i] * g[i]);
+    const auto rr = static_cast<std::uint16_t>(r[i] * r[i]);
+    squared[i] = std::uint32_t{bb} + gg + rr;
+  }
+}
+
+}  // namespace
 
 // A factor k is right for squared length n when, for every c, q = floor(numerators[c] / sqrt(n)) is
 // the integer part of numerators[c]·k: q / numerators[c] <= k < (q+1) / numerators[c]. Each
@@ -37,20 +55,13 @@ LengthScale::LengthScale(const std::array<std::uint32_t, 256>& numerators)
 }
 
 void LengthScale::look_up(const ColorBatch& colors, std::span<float> factors) const {
-  // In two steps over a piece that fits the stack: the first vectorises, the second cannot.
   constexpr std::size_t kPiece = 1024;
   std::array<std::uint32_t, kPiece> squared;
   for (std::size_t start = 0; start < colors.size(); start += kPiece) {
     const std::size_t count = std::min(kPiece, colors.size() - start);
-    const std::uint8_t* __restrict b = colors.b.data() + start;
-    const std::uint8_t* __restrict g = colors.g.data() + start;
-    const std::uint8_t* __restrict r = colors.r.data() + start;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto bb = static_cast<std::uint16_t>(b[i] * b[i]);
-      const auto gg = static_cast<std::uint16_t>(g[i] * g[i]);
-      const auto rr = static_cast<std::uint16_t>(r[i] * r[i]);
-      squared[i] = std::uint32_t{bb} + gg + rr;
-    }
+    square_lengths({colors.b.subspan(start, count), colors.g.subspan(start, count),
+                    colors.r.subspan(start, count)},
+                   squared.data());
     const float* table = factors_.data();
     float* __restrict out = factors.data() + start;
     for (std::size_t i = 0; i < count; ++i) out[i] = table[squared[i]];

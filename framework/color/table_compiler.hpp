@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "color/color_cell.hpp"
 #include "color/block_colors.hpp"
+#include "color/color_cell.hpp"
 #include "maggic/label_vector.hpp"
 #include "maggic/normalizer.hpp"
 #include "maggic/segmenter.hpp"

@@ -10,6 +10,7 @@
 
 #include "maggic/length_scale.hpp"
 #include "maggic/normalizer.hpp"
+#include "maggic/vectorized.hpp"
 
 namespace maggic {
 
@@ -45,8 +46,9 @@ class LengthNormalizer : public ColorNormalizer {
   }
 
  private:
-  static void multiply(const std::uint8_t* __restrict in, std::span<const float> factors,
-                       std::uint8_t* __restrict out) {
+  MAGGIC_VECTORIZED static void multiply(const std::uint8_t* __restrict in,
+                                         std::span<const float> factors,
+                                         std::uint8_t* __restrict out) {
     for (std::size_t i = 0; i < factors.size(); ++i) {
       out[i] = truncated(in[i], factors[i]);
     }

@@ -17,6 +17,7 @@
 #include <span>
 
 #include "maggic/plugin.hpp"
+#include "maggic/vectorized.hpp"
 
 namespace {
 
@@ -54,8 +55,10 @@ class Chromatic final : public maggic::ColorNormalizer {
             share_of(own.last, other.first + third.first)};
   }
 
-  static void invert_sums(const std::uint8_t* __restrict b, const std::uint8_t* __restrict g,
-                          const std::uint8_t* __restrict r, std::span<float> inverse_sums) {
+  MAGGIC_VECTORIZED static void invert_sums(const std::uint8_t* __restrict b,
+                                            const std::uint8_t* __restrict g,
+                                            const std::uint8_t* __restrict r,
+                                            std::span<float> inverse_sums) {
     // The division gets a loop of its own: beside the test for black it would not vectorise.
     std::array<std::int16_t, kPiece> divisors;
     for (std::size_t i = 0; i < inverse_sums.size(); ++i) {
@@ -69,8 +72,9 @@ class Chromatic final : public maggic::ColorNormalizer {
 
   // 255·c/sum is a multiple of 1/sum, so half a step more changes no integer part, and half a step
   // of at least 0.5/765 is far above a float's rounding: truncation is exact.
-  static void share(const std::uint8_t* __restrict in, std::span<const float> inverse_sums,
-                    std::uint8_t* __restrict out) {
+  MAGGIC_VECTORIZED static void share(const std::uint8_t* __restrict in,
+                                      std::span<const float> inverse_sums,
+                                      std::uint8_t* __restrict out) {
     for (std::size_t i = 0; i < inverse_sums.size(); ++i) {
       const float share = (255.0F * static_cast<float>(in[i]) + 0.5F) * inverse_sums[i];
       out[i] = static_cast<std::uint8_t>(static_cast<int>(share));

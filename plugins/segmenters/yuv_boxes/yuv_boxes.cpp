@@ -33,6 +33,7 @@
 
 #include "box_fit.hpp"
 #include "maggic/plugin.hpp"
+#include "maggic/vectorized.hpp"
 
 namespace {
 
@@ -79,8 +80,8 @@ using Plane = std::array<std::uint8_t, kPiece>;
 // The conversion in 16 bits, which doubles what a vector register holds. A sum of products is
 // split as 128·p + q, and (128·p + q) >> 10 = (p + (q >> 7)) >> 3 exactly. The results need no
 // clamping: over all colours they stay within 0 … 255.
-void convert_to_yuv(const ColorBatch& colors, std::uint8_t* __restrict y,
-                    std::uint8_t* __restrict u, std::uint8_t* __restrict v) {
+MAGGIC_VECTORIZED void convert_to_yuv(const ColorBatch& colors, std::uint8_t* __restrict y,
+                                      std::uint8_t* __restrict u, std::uint8_t* __restrict v) {
   const std::uint8_t* __restrict blue = colors.b.data();
   const std::uint8_t* __restrict green = colors.g.data();
   const std::uint8_t* __restrict red = colors.r.data();
@@ -344,8 +345,9 @@ class YuvBoxes final : public maggic::ColorSegmenter {
     return gray_threshold_ && spread_of(original) <= *gray_threshold_;
   }
 
-  static void paint_inside(const Box& box, Label label, const Plane& y, const Plane& u,
-                           const Plane& v, std::span<Label> labels) {
+  MAGGIC_VECTORIZED static void paint_inside(const Box& box, Label label, const Plane& y,
+                                             const Plane& u, const Plane& v,
+                                             std::span<Label> labels) {
     const Bounds in_y(box.y);
     const Bounds in_u(box.u);
     const Bounds in_v(box.v);
@@ -356,7 +358,8 @@ class YuvBoxes final : public maggic::ColorSegmenter {
     }
   }
 
-  static void clear_gray(const ColorBatch& colors, int threshold, std::span<Label> labels) {
+  MAGGIC_VECTORIZED static void clear_gray(const ColorBatch& colors, int threshold,
+                                           std::span<Label> labels) {
     const std::uint8_t* __restrict b = colors.b.data();
     const std::uint8_t* __restrict g = colors.g.data();
     const std::uint8_t* __restrict r = colors.r.data();

@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -46,8 +45,10 @@
 
 #include <opencv2/core/fast_math.hpp>
 
+#include "circular_span.hpp"
 #include "exclusion_fit.hpp"
 #include "maggic/plugin.hpp"
+#include "maggic/vectorized.hpp"
 #include "pivot_fit.hpp"
 
 namespace {
@@ -59,6 +60,7 @@ using maggic::kBackground;
 using maggic::Label;
 using maggic::Parameters;
 
+using maggic::hue_pivots::CircularSpan;
 using maggic::hue_pivots::nearest_pivots;
 using maggic::hue_pivots::Pivots;
 
@@ -84,6 +86,23 @@ struct Exclusion {
 };
 
 constexpr std::size_t kMaxExclusions = 32;
+
+/// The same, to be compared with.
+struct Rectangle {
+  CircularSpan hue;
+  CircularSpan value;
+  CircularSpan saturation;
+
+  explicit Rectangle(const Exclusion& exclusion)
+      : hue(span(exclusion.hue)),
+        value(span(exclusion.value)),
+        saturation(span(exclusion.saturation)) {}
+
+ private:
+  static CircularSpan span(const std::vector<int>& ends) {
+    return CircularSpan::from_to(ends[0], ends[1]);
+  }
+};
 
 // OpenCV's hue is off the true one by less: half a step of rounding, and up to 1275 · 0.5 / 4096 of
 // the scale's. So two of them order as the true ones do, give or take one step.
@@ -141,12 +160,52 @@ std::uint32_t hue_index_of(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
   return hue_index(static_cast<std::uint32_t>(spread), numerator);
 }
 
-void hue_indices(const ColorBatch& colors, std::uint32_t* __restrict indices) {
+MAGGIC_VECTORIZED void hue_indices(const ColorBatch& colors, std::uint32_t* __restrict indices) {
   const std::uint8_t* __restrict blue = colors.b.data();
   const std::uint8_t* __restrict green = colors.g.data();
   const std::uint8_t* __restrict red = colors.r.data();
   for (std::size_t i = 0; i < colors.size(); ++i) {
     indices[i] = hue_index_of(blue[i], green[i], red[i]);
+  }
+}
+
+/// A piece of colours by OpenCV's HSV_FULL.
+struct HsvPlanes {
+  std::array<std::uint8_t, kPiece> hue;
+  std::array<std::uint8_t, kPiece> value;
+  std::array<std::uint8_t, kPiece> saturation;
+};
+
+MAGGIC_VECTORIZED void values_and_spreads(const ColorBatch& colors, std::uint8_t* __restrict values,
+                                          std::uint8_t* __restrict spreads) {
+  const std::uint8_t* __restrict b = colors.b.data();
+  const std::uint8_t* __restrict g = colors.g.data();
+  const std::uint8_t* __restrict r = colors.r.data();
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    values[i] = largest(b[i], g[i], r[i]);
+    spreads[i] = static_cast<std::uint8_t>(values[i] - smallest(b[i], g[i], r[i]));
+  }
+}
+
+// OpenCV's saturation; `scale` is 255 / value in units of 1/4096.
+std::uint8_t scaled_spread(int spread, std::int32_t scale) {
+  return static_cast<std::uint8_t>((spread * scale + (1 << 11)) >> 12);
+}
+
+MAGGIC_VECTORIZED void scale_spreads(const std::int32_t* __restrict scales,
+                                     std::span<std::uint8_t> spreads) {
+  std::uint8_t* __restrict out = spreads.data();
+  for (std::size_t i = 0; i < spreads.size(); ++i) out[i] = scaled_spread(out[i], scales[i]);
+}
+
+MAGGIC_VECTORIZED void clear_inside(const Rectangle& rectangle, const HsvPlanes& planes,
+                                    std::span<Label> labels) {
+  const Rectangle in = rectangle;
+  Label* __restrict out = labels.data();
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const bool inside = in.hue.holds(planes.hue[i]) & in.value.holds(planes.value[i]) &
+                        in.saturation.holds(planes.saturation[i]);
+    out[i] = inside ? kBackground : out[i];
   }
 }
 
@@ -213,7 +272,7 @@ class HuePivots final : public maggic::ColorSegmenter {
       Label* out = piece.data();
       for (std::size_t i = 0; i < count; ++i) out[i] = label_of_index[indices[i]];
       clear_gray(normalized_piece, piece);
-      if (!exclusions_.empty()) clear_excluded(hue_piece, indices.data(), piece);
+      if (!rectangles_.empty()) clear_excluded(hue_piece, indices.data(), piece);
     }
   }
 
@@ -223,15 +282,15 @@ class HuePivots final : public maggic::ColorSegmenter {
     if (spread.last <= gray_threshold_) return kBackground;
     const ColorBox& of_hue = hue_of_ == HueOf::kOriginal ? original : normalized;
     const bool may_be_gray = spread.first <= gray_threshold_ || maggic::holds_gray(of_hue);
-    if (may_be_gray && exclusions_.empty()) return {};
-    const HueArc arc = hue_arc(of_hue);
-    if (!exclusions_.empty()) {
-      const Held excluded = held_by_exclusions(of_hue, arc);
+    if (may_be_gray && rectangles_.empty()) return {};
+    const CircularSpan hues = hue_span(of_hue);
+    if (!rectangles_.empty()) {
+      const Held excluded = held_by_exclusions(of_hue, hues);
       if (excluded == Held::kAll) return kBackground;
       if (excluded == Held::kSome) return {};
     }
-    if (may_be_gray || arc.steps > same_label_steps_[arc.first]) return {};
-    return label_of_hue_[arc.first];
+    if (may_be_gray || hues.steps > same_label_steps_[hues.first]) return {};
+    return label_of_hue_[hues.first];
   }
 
   std::string explain(const ColorBatch& original, const ColorBatch& normalized) const override {
@@ -272,29 +331,9 @@ class HuePivots final : public maggic::ColorSegmenter {
   }
 
  private:
-  /// Hues from `first` on, `steps` further ones, through 255 to 0.
-  struct HueArc {
-    std::uint8_t first;
-    int steps;
-
-    static HueArc from_to(int first, int last) {
-      return {static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(last - first)};
-    }
-
-    bool holds(const HueArc& other) const {
-      return steps == kHues - 1 || ahead_of_first(other.first) + other.steps <= steps;
-    }
-    bool meets(const HueArc& other) const {
-      return ahead_of_first(other.first) <= steps || other.ahead_of_first(first) <= other.steps;
-    }
-
-   private:
-    int ahead_of_first(std::uint8_t hue) const { return static_cast<std::uint8_t>(hue - first); }
-  };
-
   /// Holds the hues of all the box's colours.
-  HueArc hue_arc(const ColorBox& box) const {
-    constexpr HueArc kAll{0, kHues - 1};
+  CircularSpan hue_span(const ColorBox& box) const {
+    constexpr CircularSpan kAll;
     if (maggic::holds_gray(box)) return kAll;
     const auto hue_at = [&](std::uint8_t b, std::uint8_t g, std::uint8_t r) {
       return hues_[hue_index_of(b, g, r)];
@@ -316,24 +355,24 @@ class HuePivots final : public maggic::ColorSegmenter {
     }
     // Near half a circle, which way round it goes is not certain.
     if (highest - lowest > kHues / 3) return kAll;
-    return HueArc::from_to(start + lowest - kHueError, start + highest + kHueError);
+    return CircularSpan::from_to(start + lowest - kHueError, start + highest + kHueError);
   }
 
   enum class Held { kNone, kSome, kAll };
 
-  /// How many of the box's colours, whose hues are within `arc`, the exclusions hold.
-  Held held_by_exclusions(const ColorBox& box, const HueArc& arc) const {
-    const ChannelRange value = maggic::value_range(box);
-    const ChannelRange saturation = saturation_range(box);
+  /// How many of the box's colours, whose hues are within `hues`, the exclusions hold.
+  Held held_by_exclusions(const ColorBox& box, const CircularSpan& hues) const {
+    const ChannelRange values = maggic::value_range(box);
+    const auto value = CircularSpan::from_to(values.first, values.last);
+    const CircularSpan saturation = saturation_span(box);
     Held held = Held::kNone;
-    for (const Exclusion& exclusion : exclusions_) {
-      const HueArc hues = HueArc::from_to(exclusion.hue[0], exclusion.hue[1]);
-      if (!hues.meets(arc) || !meets(exclusion.value, value) ||
-          !meets(exclusion.saturation, saturation)) {
+    for (const Rectangle& excluded : rectangles_) {
+      if (!excluded.hue.meets(hues) || !excluded.value.meets(value) ||
+          !excluded.saturation.meets(saturation)) {
         continue;
       }
-      if (hues.holds(arc) && holds(exclusion.value, value) &&
-          holds(exclusion.saturation, saturation)) {
+      if (excluded.hue.holds(hues) && excluded.value.holds(value) &&
+          excluded.saturation.holds(saturation)) {
         return Held::kAll;
       }
       held = Held::kSome;
@@ -342,21 +381,13 @@ class HuePivots final : public maggic::ColorSegmenter {
   }
 
   // Grows with the value and falls with the smallest channel, but for the step that is rounded.
-  ChannelRange saturation_range(const ColorBox& box) const {
+  CircularSpan saturation_span(const ColorBox& box) const {
     const ChannelRange value = maggic::value_range(box);
     const int least_spread = value.first - smallest(box.b.last, box.g.last, box.r.last);
     const int most_spread = value.last - smallest(box.b.first, box.g.first, box.r.first);
     const int first = saturation_of(value.first, std::max(least_spread, 0)) - 1;
     const int last = saturation_of(value.last, most_spread) + 1;
-    return {static_cast<std::uint8_t>(std::max(first, 0)),
-            static_cast<std::uint8_t>(std::min(last, 255))};
-  }
-
-  static bool meets(const std::vector<int>& span, ChannelRange range) {
-    return range.first <= span[1] && range.last >= span[0];
-  }
-  static bool holds(const std::vector<int>& span, ChannelRange range) {
-    return range.first >= span[0] && range.last <= span[1];
+    return CircularSpan::from_to(std::max(first, 0), std::min(last, 255));
   }
 
   std::vector<std::uint8_t> hues_of(const ColorBatch& colors) const {
@@ -474,13 +505,10 @@ class HuePivots final : public maggic::ColorSegmenter {
 
   /// As OpenCV has it.
   std::uint8_t saturation_of(std::uint8_t value, int spread) const {
-    return static_cast<std::uint8_t>((spread * saturation_scale_[value] + (1 << 11)) >> 12);
+    return scaled_spread(spread, saturation_scale_[value]);
   }
 
   enum class HueOf { kOriginal, kNormalized };
-
-  /// For each of 256 hues, values or saturations the exclusions whose span holds it, a bit each.
-  using SpanBits = std::array<std::uint32_t, 256>;
 
   void check_pivots_differ(Parameters& p) const {
     for (auto later = pivots_.begin(); later != pivots_.end(); ++later) {
@@ -534,11 +562,7 @@ class HuePivots final : public maggic::ColorSegmenter {
       saturation_scale_[static_cast<std::size_t>(value)] =
           cvRound((255 << kShift) / static_cast<double>(value));
     }
-    for (std::size_t e = 0; e < exclusions_.size(); ++e) {
-      mark(exclusions_[e].hue, e, hue_bits_);
-      mark(exclusions_[e].value, e, value_bits_);
-      mark(exclusions_[e].saturation, e, saturation_bits_);
-    }
+    rectangles_ = {exclusions_.begin(), exclusions_.end()};
   }
 
   struct Nearest {
@@ -574,14 +598,15 @@ class HuePivots final : public maggic::ColorSegmenter {
 
   /// Names the rectangle that holds the colour; empty when none does.
   std::string exclusion_text(const ColorBatch& color, std::uint32_t index) const {
-    Label label = 1;
-    clear_excluded(color, &index, {&label, 1});
-    if (label != kBackground) return {};
     const std::uint8_t value = largest(color.b[0], color.g[0], color.r[0]);
-    const int saturation = saturation_of(value, spread_of(color.b[0], color.g[0], color.r[0]));
-    const std::uint32_t holding = hue_bits_[hues_[index]] & value_bits_[value] &
-                                  saturation_bits_[static_cast<std::size_t>(saturation)];
-    const auto number = static_cast<std::size_t>(std::countr_zero(holding));
+    const std::uint8_t saturation =
+        saturation_of(value, spread_of(color.b[0], color.g[0], color.r[0]));
+    const auto holding = std::ranges::find_if(rectangles_, [&](const Rectangle& excluded) {
+      return excluded.hue.holds(hues_[index]) && excluded.value.holds(value) &&
+             excluded.saturation.holds(saturation);
+    });
+    if (holding == rectangles_.end()) return {};
+    const auto number = static_cast<std::size_t>(holding - rectangles_.begin());
     const Exclusion& span = exclusions_[number];
     return fmt::format(
         "excluded: hue {}, saturation {}, value {} lie in exclude[{}] (hue [{}], saturation [{}], "
@@ -590,15 +615,7 @@ class HuePivots final : public maggic::ColorSegmenter {
         fmt::join(span.saturation, ", "), fmt::join(span.value, ", "));
   }
 
-  // A span whose first end is the larger one wraps around; only a hue's may.
-  static void mark(const std::vector<int>& span, std::size_t exclusion, SpanBits& bits) {
-    const int length = (span[1] - span[0] + 256) % 256;
-    for (int i = 0; i <= length; ++i) {
-      bits[static_cast<std::size_t>((span[0] + i) % 256)] |= std::uint32_t{1} << exclusion;
-    }
-  }
-
-  void clear_gray(const ColorBatch& colors, std::span<Label> labels) const {
+  MAGGIC_VECTORIZED void clear_gray(const ColorBatch& colors, std::span<Label> labels) const {
     const std::uint8_t* __restrict b = colors.b.data();
     const std::uint8_t* __restrict g = colors.g.data();
     const std::uint8_t* __restrict r = colors.r.data();
@@ -611,16 +628,18 @@ class HuePivots final : public maggic::ColorSegmenter {
     }
   }
 
+  // In loops of one look-up each and loops without any, which vectorise.
   void clear_excluded(const ColorBatch& colors, const std::uint32_t* indices,
                       std::span<Label> labels) const {
+    HsvPlanes planes;
+    std::array<std::int32_t, kPiece> scales;
+    values_and_spreads(colors, planes.value.data(), planes.saturation.data());
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
-      const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
-      const std::uint8_t saturation = saturation_of(value, spread);
-      const std::uint32_t holding = hue_bits_[hues_[indices[i]]] & value_bits_[value] &
-                                    saturation_bits_[saturation];
-      labels[i] = holding != 0 ? kBackground : labels[i];
+      planes.hue[i] = hues_[indices[i]];
+      scales[i] = saturation_scale_[planes.value[i]];
     }
+    scale_spreads(scales.data(), {planes.saturation.data(), labels.size()});
+    for (const Rectangle& excluded : rectangles_) clear_inside(excluded, planes, labels);
   }
 
   int gray_threshold_ = 20;
@@ -635,9 +654,7 @@ class HuePivots final : public maggic::ColorSegmenter {
   std::array<Label, kHues> label_of_hue_{};
   std::array<int, kHues> same_label_steps_{};  ///< How many hues after this one share its label.
   std::array<int, 256> saturation_scale_{};
-  SpanBits hue_bits_{};
-  SpanBits value_bits_{};
-  SpanBits saturation_bits_{};
+  std::vector<Rectangle> rectangles_;  ///< One for each of exclusions_.
 };
 
 }  // namespace

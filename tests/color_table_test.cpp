@@ -186,6 +186,59 @@ TEST_P(CompiledPair, EqualsTheFormulasForEveryColor) {
   EXPECT_EQ(wrong_normalized_hues, 0U);
 }
 
+/// Stages as they are, but for what they say of boxes: nothing.
+class SilentNormalizer final : public ColorNormalizer {
+ public:
+  explicit SilentNormalizer(const ColorNormalizer& stage) : stage_(stage) {}
+  void normalize(const ColorBatch& in, const MutableColorBatch& out) const override {
+    stage_.normalize(in, out);
+  }
+
+ private:
+  const ColorNormalizer& stage_;
+};
+
+class SilentSegmenter final : public ColorSegmenter {
+ public:
+  explicit SilentSegmenter(const ColorSegmenter& stage) : stage_(stage) {}
+  void segment(const ColorBatch& original, const ColorBatch& normalized,
+               std::span<Label> labels) const override {
+    stage_.segment(original, normalized, labels);
+  }
+
+ private:
+  const ColorSegmenter& stage_;
+};
+
+TEST_P(CompiledPair, IsWhatComesOutWhenEveryColorIsAskedFor) {
+  const auto normalizer_stage = testing::make<Normalizer>(GetParam());
+  const auto& normalizer = dynamic_cast<const ColorNormalizer&>(*normalizer_stage);
+  const std::size_t palette_size = testing::standard_palette().size();
+  const auto expect_same = [&](const char* name, const std::string& yaml) {
+    const auto stage = testing::make<Segmenter>(name, yaml);
+    const auto& segmenter = dynamic_cast<const ColorSegmenter&>(*stage);
+    EXPECT_TRUE(
+        ColorTable::compile(normalizer, segmenter, palette_size) ==
+        ColorTable::compile(SilentNormalizer(normalizer), SilentSegmenter(segmenter), palette_size))
+        << name << " " << yaml;
+  };
+  for (const std::string hue_of : {"original", "normalized"}) {
+    for (const std::string rest :
+         {"gray_threshold: 140",
+          "gray_threshold: 7, pivots: {red: [250, 3, 20], blue: [4, 128], cyan: 127}",
+          "gray_threshold: 3, exclude: [{hue: [250, 10], saturation: [0, 60]}, "
+          "{hue: [200, 200]}, {hue: [90, 140], value: [33, 200], saturation: [100, 255]}]",
+          "exclude: [{hue: [7, 6], saturation: [128, 128]}, {hue: [1, 0], value: [255, 255]}]"}) {
+      expect_same("hue_pivots", "{hue_of: " + hue_of + ", " + rest + "}");
+    }
+  }
+  expect_same("yuv_boxes", kBoxesYaml);
+  expect_same("yuv_boxes",
+              "{boxes: {red: {y: [0, 255], u: [0, 255], v: [150, 150]}, "
+              "green: {y: [100, 101], u: [0, 255], v: [0, 255]}, "
+              "blue: {y: [0, 255], u: [130, 255], v: [0, 255]}}}");
+}
+
 INSTANTIATE_TEST_SUITE_P(Normalizers, CompiledPair,
                          ::testing::Values("none", "chromatic", "vector", "weighted"),
                          [](const auto& test) { return std::string(test.param); });

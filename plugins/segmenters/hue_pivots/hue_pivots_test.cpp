@@ -2,6 +2,7 @@
 #include <array>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -164,6 +165,29 @@ TEST(HuePivots, ExcludesRectanglesOfOpenCvsHueSaturationAndValue) {
     wrong += label != (is_gray(bgr) || excluded ? kBackground : standard("red"));
   });
   EXPECT_EQ(wrong, 0U);
+}
+
+TEST(HuePivots, LabelsABoxOfColorsWhereAllHaveOneLabel) {
+  const auto stage = hue_pivots("gray_threshold: 20");
+  const auto& segmenter = dynamic_cast<const ColorSegmenter&>(*stage);
+  const ColorBox reds{{0, 7}, {0, 7}, {200, 207}};
+  const ColorBox grays{{100, 110}, {100, 110}, {100, 110}};
+  const ColorBox red_to_yellow{{0, 7}, {0, 207}, {200, 207}};
+  EXPECT_EQ(segmenter.label_of(reds, reds), standard("red"));
+  EXPECT_EQ(segmenter.label_of(reds, grays), kBackground) << "gray once normalised";
+  EXPECT_EQ(segmenter.label_of(red_to_yellow, red_to_yellow), std::nullopt);
+}
+
+TEST(HuePivots, LabelsABoxOfColorsThatOneRectangleExcludes) {
+  const auto stage =
+      hue_pivots("{gray_threshold: 20, exclude: [{hue: [250, 5], value: [0, 210]}]}");
+  const auto& segmenter = dynamic_cast<const ColorSegmenter&>(*stage);
+  const ColorBox dark_reds{{0, 7}, {0, 7}, {200, 207}};
+  const ColorBox reds{{0, 7}, {0, 7}, {208, 215}};
+  const ColorBox bright_reds{{0, 7}, {0, 7}, {216, 223}};
+  EXPECT_EQ(segmenter.label_of(dark_reds, dark_reds), kBackground);
+  EXPECT_EQ(segmenter.label_of(reds, reds), std::nullopt);
+  EXPECT_EQ(segmenter.label_of(bright_reds, bright_reds), standard("red"));
 }
 
 TEST(HuePivots, LetsAColorHaveSeveralPivots) {

@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,20 @@ TEST(YuvBoxes, GivesTheFirstListedBoxThatHoldsTheColor) {
   const auto both = testing::make<Segmenter>(
       "yuv_boxes", std::string("boxes: {yellow: ") + kWhole + ", blue: " + kWhole + "}");
   EXPECT_EQ(label_of(*both, {0, 0, 255}), standard("yellow"));
+}
+
+TEST(YuvBoxes, LabelsABoxOfColorsWhereAllHaveOneLabel) {
+  const auto stage = testing::make<Segmenter>(
+      "yuv_boxes", "{gray_threshold: 20, boxes: {red: {y: [0, 100], u: [0, 255], v: [200, 255]}}}");
+  const auto& segmenter = dynamic_cast<const ColorSegmenter&>(*stage);
+  const ColorBox reds{{0, 7}, {0, 7}, {200, 207}};
+  const ColorBox blues{{200, 207}, {0, 7}, {0, 7}};
+  const ColorBox grays{{100, 110}, {100, 110}, {100, 110}};
+  const ColorBox dark_to_red{{0, 7}, {0, 7}, {64, 207}};
+  EXPECT_EQ(segmenter.label_of(reds, reds), standard("red"));
+  EXPECT_EQ(segmenter.label_of(blues, blues), kBackground) << "in no box";
+  EXPECT_EQ(segmenter.label_of(grays, reds), kBackground) << "gray before it was normalised";
+  EXPECT_EQ(segmenter.label_of(dark_to_red, dark_to_red), std::nullopt);
 }
 
 TEST(YuvBoxes, BoxesTheNormalizedColor) {

@@ -29,8 +29,10 @@ class ColorTable {
   /// Every colour is background.
   ColorTable();
 
-  /// Runs all 2^24 colours through `normalizer` then `segmenter`, split over `threads` (at least
-  /// 1; 0 means one per core). The table does not depend on the number of threads.
+  /// What `normalizer` then `segmenter` answer for each of 2^24 colours. Boxes of colours whose
+  /// label their `bounds` and `label_of` settle are not asked for one by one. Work is split over
+  /// `threads` (at least 1; 0 means one per core). The table depends neither on their number nor on
+  /// what the stages say of boxes.
   /// @throws std::logic_error when the segmenter answers a label of `palette_size` or above.
   static ColorTable compile(const ColorNormalizer& normalizer, const ColorSegmenter& segmenter,
                             std::size_t palette_size, unsigned threads = 0);

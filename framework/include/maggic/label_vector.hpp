@@ -10,8 +10,8 @@
 
 namespace maggic {
 
-/// Memory that begins with a cache line, and elements that begin with any value: to clear megabytes
-/// that are overwritten right away takes as long as compiling a third of a ColorTable.
+/// Memory that begins with a cache line, and elements that begin with any value: nothing is cleared
+/// that is overwritten right away.
 template <class T>
 struct UnclearedAllocator {
   using value_type = T;

@@ -26,6 +26,14 @@ inline Label color(std::string_view name) {
 
 inline TagLayout two_tags() { return two_tag_layout(Palette::standard()); }
 inline TagLayout three_tags() { return three_tag_layout(Palette::standard()); }
+/// Two squares on a diagonal.
+inline TagLayout diagonal_squares() {
+  return {"diagonal",
+          {{PatchRole::kTeam, PatchShape::kRectangle, {-17.5, 17.5}, {35, 35}, 0},
+           {PatchRole::kPlayer, PatchShape::kRectangle, {17.5, -17.5}, {35, 35}, 0}},
+          {{20, {color("red")}}, {21, {color("green")}}, {22, {color("cyan")}}},
+          0.0};
+}
 
 /// Random numbers that are the same with every standard library.
 class Dice {

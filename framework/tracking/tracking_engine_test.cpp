@@ -26,14 +26,6 @@ struct Placed {
 
 Label team_color(Team team) { return color(team == Team::kBlue ? "blue" : "yellow"); }
 
-TagLayout diagonal_squares() {
-  return {"diagonal",
-          {{PatchRole::kTeam, PatchShape::kRectangle, {-17.5, 17.5}, {35, 35}, 0},
-           {PatchRole::kPlayer, PatchShape::kRectangle, {17.5, -17.5}, {35, 35}, 0}},
-          {{20, {color("red")}}, {21, {color("green")}}, {22, {color("cyan")}}},
-          0.0};
-}
-
 TagLayout two_discs() {
   return {"discs",
           {{PatchRole::kTeam, PatchShape::kDisc, {-18, 0}, {32, 32}, 0},

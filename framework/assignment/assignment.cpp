@@ -4,70 +4,138 @@
 #include <numeric>
 
 namespace maggic {
+namespace {
 
-void AssignmentSolver::solve(std::span<const double> scores, std::span<const int> groups,
+// What counts as better: sums of the same scores in another order differ by less.
+constexpr double kLeastGain = 1e-12;
+
+}  // namespace
+
+void AssignmentSolver::solve(std::span<const Contender> contenders,
                              std::span<const std::pair<int, int>> conflicts,
                              std::vector<int>& chosen) {
   chosen.clear();
-  if (scores.empty()) return;
+  if (contenders.empty()) return;
   steps_ = 0;
-  blocked_.assign(scores.size(), 0);
+  sort_into_groups(contenders);
   build_neighbors(conflicts);
-  build_components(scores, groups, conflicts);
-  for (std::size_t begin = 0; begin < items_.size();) {
-    const int component = root(items_[begin]);
-    std::size_t end = begin;
-    ordered_.clear();
-    while (end < items_.size() && root(items_[end]) == component) ordered_.push_back(items_[end++]);
-    solve_component(scores, groups);
-    chosen.insert(chosen.end(), best_.begin(), best_.end());
-    begin = end;
+  build_components(contenders, conflicts);
+  for (std::size_t first = 0; first < branches_.size();) {
+    std::size_t last = first + 1;
+    while (last < branches_.size() && branches_[last].component == branches_[first].component) {
+      ++last;
+    }
+    if (last == first + 1) {
+      chosen.push_back(options_[branches_[first].begin].index);
+    } else {
+      solve_component(first, last);
+      chosen.insert(chosen.end(), best_.begin(), best_.end());
+    }
+    first = last;
   }
   std::ranges::sort(chosen);
 }
 
+void AssignmentSolver::sort_into_groups(std::span<const Contender> contenders) {
+  int groups = 0;
+  int places = 0;
+  int identities = 0;
+  for (const Contender& contender : contenders) {
+    groups = std::max(groups, contender.group + 1);
+    places = std::max(places, contender.place + 1);
+    identities = std::max(identities, contender.identity + 1);
+  }
+  group_of_place_.assign(places, -1);
+  group_of_identity_.assign(identities, -1);
+  blocked_places_.assign(places, 0);
+  taken_identities_.assign(identities, 0);
+  taken_groups_.assign(groups, 0);
+
+  // Counted one group further, so that filling moves every begin to its place.
+  group_begins_.assign(groups + 2, 0);
+  for (const Contender& contender : contenders) {
+    if (contender.score > 0.0) ++group_begins_[contender.group + 2];
+  }
+  std::partial_sum(group_begins_.begin(), group_begins_.end(), group_begins_.begin());
+  options_.resize(group_begins_.back());
+  for (int i = 0; i < static_cast<int>(contenders.size()); ++i) {
+    const Contender& contender = contenders[i];
+    if (contender.score <= 0.0) continue;
+    int& next = group_begins_[contender.group + 1];
+    options_[next++] = {contender.score, contender.place, contender.identity, i};
+  }
+}
+
 void AssignmentSolver::build_neighbors(std::span<const std::pair<int, int>> conflicts) {
-  neighbor_begins_.assign(blocked_.size() + 1, 0);
   for (const auto& [a, b] : conflicts) {
-    ++neighbor_begins_[static_cast<std::size_t>(a) + 1];
-    ++neighbor_begins_[static_cast<std::size_t>(b) + 1];
+    const auto places = static_cast<std::size_t>(std::max(a, b)) + 1;
+    if (places <= blocked_places_.size()) continue;
+    blocked_places_.resize(places, 0);
+    group_of_place_.resize(places, -1);
+  }
+  neighbor_begins_.assign(blocked_places_.size() + 2, 0);
+  for (const auto& [a, b] : conflicts) {
+    ++neighbor_begins_[a + 2];
+    ++neighbor_begins_[b + 2];
   }
   std::partial_sum(neighbor_begins_.begin(), neighbor_begins_.end(), neighbor_begins_.begin());
   neighbors_.resize(conflicts.size() * 2);
-  fill_.assign(neighbor_begins_.begin(), neighbor_begins_.end() - 1);
   for (const auto& [a, b] : conflicts) {
-    neighbors_[fill_[a]++] = b;
-    neighbors_[fill_[b]++] = a;
+    neighbors_[neighbor_begins_[a + 1]++] = b;
+    neighbors_[neighbor_begins_[b + 1]++] = a;
   }
 }
 
-void AssignmentSolver::build_components(std::span<const double> scores,
-                                        std::span<const int> groups,
+void AssignmentSolver::build_components(std::span<const Contender> contenders,
                                         std::span<const std::pair<int, int>> conflicts) {
-  parents_.resize(scores.size());
+  parents_.resize(taken_groups_.size());
   std::iota(parents_.begin(), parents_.end(), 0);
-  for (const auto& [a, b] : conflicts) unite(a, b);
-  group_items_.assign(static_cast<std::size_t>(*std::ranges::max_element(groups)) + 1, -1);
-  items_.clear();
-  for (int i = 0; i < static_cast<int>(scores.size()); ++i) {
-    int& first_of_group = group_items_[groups[i]];
-    if (first_of_group < 0) first_of_group = i;
-    unite(first_of_group, i);
-    if (scores[i] > 0.0) items_.push_back(i);
+  for (const Contender& contender : contenders) {
+    if (contender.score <= 0.0) continue;
+    group_of_place_[contender.place] = contender.group;
+    if (contender.identity < 0) continue;
+    int& group = group_of_identity_[contender.identity];
+    if (group >= 0) unite(group, contender.group);
+    group = contender.group;
   }
-  std::ranges::sort(items_, [&](int a, int b) {
-    const int root_a = root(a);
-    const int root_b = root(b);
-    return root_a != root_b ? root_a < root_b : a < b;
+  for (const auto& [a, b] : conflicts) {
+    const int group_a = group_of_place_[a];
+    const int group_b = group_of_place_[b];
+    if (group_a >= 0 && group_b >= 0) unite(group_a, group_b);
+  }
+
+  branches_.clear();
+  component_sizes_.assign(parents_.size(), 0);
+  for (int group = 0; group < static_cast<int>(parents_.size()); ++group) {
+    const int begin = group_begins_[group];
+    const int end = group_begins_[group + 1];
+    if (begin == end) continue;
+    std::sort(options_.begin() + begin, options_.begin() + end,
+              [](const Option& a, const Option& b) {
+                return a.score != b.score ? a.score > b.score : a.index < b.index;
+              });
+    const int component = root(group);
+    component_sizes_[component] += end - begin;
+    branches_.push_back({component, group, begin, end, options_[begin].score, 0.0});
+  }
+  std::ranges::sort(branches_, [&](const Branch& a, const Branch& b) {
+    if (a.component != b.component) {
+      const int size_a = component_sizes_[a.component];
+      const int size_b = component_sizes_[b.component];
+      return size_a != size_b ? size_a < size_b : a.component < b.component;
+    }
+    // The most valuable decision first, so that the bound bites early.
+    return a.best != b.best ? a.best > b.best : a.group < b.group;
   });
 }
 
-int AssignmentSolver::root(int item) {
-  while (parents_[item] != item) {
-    parents_[item] = parents_[parents_[item]];
-    item = parents_[item];
+int AssignmentSolver::root(int group) {
+  while (parents_[group] != group) {
+    int& parent = parents_[group];
+    parent = parents_[parent];
+    group = parent;
   }
-  return item;
+  return group;
 }
 
 void AssignmentSolver::unite(int a, int b) {
@@ -76,82 +144,98 @@ void AssignmentSolver::unite(int a, int b) {
   if (a != b) parents_[std::max(a, b)] = std::min(a, b);
 }
 
-void AssignmentSolver::solve_component(std::span<const double> scores,
-                                       std::span<const int> groups) {
-  choose_greedily(scores, groups);
-  std::ranges::sort(ordered_, [&](int a, int b) {
-    if (groups[a] != groups[b]) return groups[a] < groups[b];
-    return scores[a] != scores[b] ? scores[a] > scores[b] : a < b;
-  });
-  branches_.clear();
-  for (std::size_t i = 0; i < ordered_.size(); ++i) {
-    if (i == 0 || groups[ordered_[i]] != groups[ordered_[i - 1]]) branches_.push_back({i, i});
-    branches_.back().end = i + 1;
+void AssignmentSolver::solve_component(std::size_t first_branch, std::size_t last_branch) {
+  component_ = std::span(branches_).subspan(first_branch, last_branch - first_branch);
+  double remaining = 0.0;
+  for (auto branch = component_.rbegin(); branch != component_.rend(); ++branch) {
+    remaining += branch->best;
+    branch->remaining = remaining;
   }
-  // The most valuable decision first, so that the bound bites early.
-  std::ranges::sort(branches_, [&](const Group& a, const Group& b) {
-    const double score_a = scores[ordered_[a.begin]];
-    const double score_b = scores[ordered_[b.begin]];
-    return score_a != score_b ? score_a > score_b : a.begin < b.begin;
-  });
+  choose_greedily();
   current_.clear();
-  search(scores, 0, 0.0);
-  if (steps_ > step_budget_ && branches_.size() > 1) ++cut_short_;
+  search(0, 0.0);
+  if (steps_ > step_budget_) ++cut_short_;
 }
 
-void AssignmentSolver::choose_greedily(std::span<const double> scores,
-                                       std::span<const int> groups) {
-  std::ranges::sort(ordered_, [&](int a, int b) {
-    return scores[a] != scores[b] ? scores[a] > scores[b] : a < b;
+void AssignmentSolver::choose_greedily() {
+  by_score_.clear();
+  for (const Branch& branch : component_) {
+    for (int i = branch.begin; i < branch.end; ++i) {
+      const Option& option = options_[i];
+      by_score_.push_back({option.score, option.index, i, branch.group});
+    }
+  }
+  std::ranges::sort(by_score_, [](const Ranked& a, const Ranked& b) {
+    return a.score != b.score ? a.score > b.score : a.index < b.index;
   });
   best_.clear();
   best_score_ = 0.0;
-  for (const int item : ordered_) {
-    const auto same_group = [&](int other) { return groups[other] == groups[item]; };
-    if (blocked_[item] > 0 || std::ranges::any_of(best_, same_group)) continue;
-    best_.push_back(item);
-    best_score_ += scores[item];
-    block(item, 1);
+  current_.clear();
+  for (const Ranked& ranked : by_score_) {
+    const Option& option = options_[ranked.option];
+    char& is_taken = taken_groups_[ranked.group];
+    if (is_taken || !is_free(option)) continue;
+    is_taken = 1;
+    best_.push_back(option.index);
+    best_score_ += option.score;
+    current_.push_back(ranked.option);
+    take(option, 1);
   }
-  for (const int item : best_) block(item, -1);
+  for (const int option : current_) take(options_[option], -1);
 }
 
-void AssignmentSolver::search(std::span<const double> scores, std::size_t depth, double score) {
-  if (score > best_score_ + 1e-12) {
+void AssignmentSolver::search(std::size_t depth, double score) {
+  if (score > best_score_ + kLeastGain) {
     best_score_ = score;
     best_ = current_;
   }
-  if (depth == branches_.size() || ++steps_ > step_budget_) return;
-  if (score + best_possible(scores, depth) <= best_score_ + 1e-12) return;
-  const Group group = branches_[depth];
-  for (std::size_t i = group.begin; i < group.end && steps_ <= step_budget_; ++i) {
-    const int item = ordered_[i];
-    if (blocked_[item] > 0) continue;
-    current_.push_back(item);
-    block(item, 1);
-    search(scores, depth + 1, score + scores[item]);
-    block(item, -1);
+  if (depth == component_.size() || ++steps_ > step_budget_ || !can_improve(depth, score)) return;
+  const Branch& branch = component_[depth];
+  const double below = branch.remaining - branch.best;
+  for (int i = branch.begin; i < branch.end && steps_ <= step_budget_; ++i) {
+    const Option& option = options_[i];
+    if (score + option.score + below <= best_score_ + kLeastGain) return;
+    if (!is_free(option)) continue;
+    current_.push_back(option.index);
+    take(option, 1);
+    search(depth + 1, score + option.score);
+    take(option, -1);
     current_.pop_back();
   }
-  search(scores, depth + 1, score);
+  search(depth + 1, score);
 }
 
-double AssignmentSolver::best_possible(std::span<const double> scores, std::size_t depth) {
-  double total = 0.0;
-  for (std::size_t g = depth; g < branches_.size(); ++g) {
-    for (std::size_t i = branches_[g].begin; i < branches_[g].end; ++i) {
+// Whether the best of what is still free in every group would beat the best found so far.
+bool AssignmentSolver::can_improve(std::size_t depth, double score) {
+  const double needed = best_score_ + kLeastGain - score;
+  double possible = 0.0;
+  for (std::size_t b = depth; b < component_.size(); ++b) {
+    const Branch& branch = component_[b];
+    if (possible + branch.remaining <= needed) return false;
+    for (int i = branch.begin; i < branch.end; ++i) {
       ++steps_;
-      if (blocked_[ordered_[i]] > 0) continue;
-      total += scores[ordered_[i]];
+      const Option& option = options_[i];
+      if (!is_free(option)) continue;
+      possible += option.score;
       break;
     }
+    if (possible > needed) return true;
   }
-  return total;
+  return false;
 }
 
-void AssignmentSolver::block(int item, int step) {
-  for (int k = neighbor_begins_[item]; k < neighbor_begins_[item + 1]; ++k) {
-    blocked_[neighbors_[k]] += step;
+bool AssignmentSolver::is_free(const Option& option) const {
+  return blocked_places_[option.place] == 0 &&
+         (option.identity < 0 || !taken_identities_[option.identity]);
+}
+
+void AssignmentSolver::take(const Option& option, int step) {
+  const auto place = option.place;
+  for (int k = neighbor_begins_[place]; k < neighbor_begins_[place + 1]; ++k) {
+    blocked_places_[neighbors_[k]] += step;
+  }
+  if (option.identity >= 0) {
+    taken_identities_[option.identity] = step > 0 ? 1 : 0;
   }
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Picks, of items some of which exclude each other, those that together are worth most.
+/// Picks, of contenders some of which exclude each other, those that together are worth most.
 
 #include <cstdint>
 #include <span>
@@ -8,55 +8,90 @@
 
 namespace maggic {
 
-/// Maximum-weight independent set. The conflict graph falls apart into connected components (for a
-/// tracker: robots that touch neither each other nor each other's blobs); each is solved exactly by
-/// branch and bound. When the budget of steps is used up, every component left keeps the best choice
-/// found so far, which is never worse than greedy, and is counted. Keeps its memory from call to
-/// call.
+/// One of the things to choose from; some of them exclude each other.
+struct Contender {
+  double score = 0.0;  ///< Its worth; contenders of 0 or less are never chosen.
+  /// From 0; at most one contender of a group is chosen. Groups are what the search branches on:
+  /// few and large ones make it fast.
+  int group = 0;
+  int place = 0;      ///< From 0, belongs to one group; some places exclude each other.
+  int identity = -1;  ///< From 0; at most one contender of an identity is chosen. -1: it has none.
+};
+
+/// Maximum-weight independent set. The contenders fall apart into components (for a tracker: robots
+/// that touch neither each other nor each other's blobs, and are not taken for one another); each
+/// is solved exactly by branch and bound. When the budget of steps is used up, every component left
+/// keeps the best set found so far, which is never worse than greedy, and is counted. Small
+/// components come first, so that a hard one cannot use up the budget of the others. Keeps its
+/// memory from call to call.
 class AssignmentSolver {
  public:
-  /// @param step_budget items looked at in one call of `solve`; bounds its time.
+  /// @param step_budget contenders looked at in one call of `solve`; bounds its time.
   explicit AssignmentSolver(int step_budget = 100'000) : step_budget_(step_budget) {}
 
-  /// @param scores worth of each item; items of 0 or less are never chosen.
-  /// @param groups of each item a number from 0; at most one item of a group may be chosen. Groups
-  ///   are what the search branches on: few and large ones make it fast.
-  /// @param conflicts pairs of items that exclude each other; a pair may occur twice.
-  /// @param chosen receives the indices of the chosen items, ascending.
-  void solve(std::span<const double> scores, std::span<const int> groups,
-             std::span<const std::pair<int, int>> conflicts, std::vector<int>& chosen);
+  /// @param conflicts pairs of places that exclude each other; a pair may occur twice.
+  /// @param chosen receives the indices of the contenders chosen, ascending.
+  void solve(std::span<const Contender> contenders, std::span<const std::pair<int, int>> conflicts,
+             std::vector<int>& chosen);
 
   /// Components so far whose search was cut short.
   std::uint64_t cut_short() const { return cut_short_; }
 
  private:
-  void build_neighbors(std::span<const std::pair<int, int>> conflicts);
-  void build_components(std::span<const double> scores, std::span<const int> groups,
-                        std::span<const std::pair<int, int>> conflicts);
-  int root(int item);
-  void unite(int a, int b);
-  void solve_component(std::span<const double> scores, std::span<const int> groups);
-  void choose_greedily(std::span<const double> scores, std::span<const int> groups);
-  void search(std::span<const double> scores, std::size_t depth, double score);
-  double best_possible(std::span<const double> scores, std::size_t depth);
-  void block(int item, int step);
-
-  struct Group {
-    std::size_t begin = 0;  ///< Into ordered_; best item first.
-    std::size_t end = 0;
+  /// A contender where the search looks for it.
+  struct Option {
+    double score = 0.0;
+    int place = 0;
+    int identity = -1;
+    int index = 0;  ///< Into the contenders.
   };
+  /// The contenders of a group as a range of `options_`, best first.
+  struct Branch {
+    int component = 0;  ///< Number of a group of the component, the same for all of them.
+    int group = 0;
+    int begin = 0;
+    int end = 0;
+    double best = 0.0;       ///< Score of the first.
+    double remaining = 0.0;  ///< Sum of `best` from this branch to the component's last.
+  };
+
+  /// An option in the order greed goes by.
+  struct Ranked {
+    double score = 0.0;
+    int index = 0;
+    int option = 0;  ///< Into `options_`.
+    int group = 0;
+  };
+
+  void sort_into_groups(std::span<const Contender> contenders);
+  void build_neighbors(std::span<const std::pair<int, int>> conflicts);
+  void build_components(std::span<const Contender> contenders,
+                        std::span<const std::pair<int, int>> conflicts);
+  int root(int group);
+  void unite(int a, int b);
+  void solve_component(std::size_t first_branch, std::size_t last_branch);
+  void choose_greedily();
+  void search(std::size_t depth, double score);
+  bool can_improve(std::size_t depth, double score);
+  bool is_free(const Option& option) const;
+  void take(const Option& option, int step);
 
   int step_budget_;
   std::uint64_t cut_short_ = 0;
-  std::vector<int> parents_;
-  std::vector<int> group_items_;
+  std::vector<int> group_begins_;
+  std::vector<Option> options_;   ///< A group after the other.
+  std::vector<Branch> branches_;  ///< A component after the other.
+  std::vector<int> parents_;      ///< Of groups.
+  std::vector<int> group_of_place_;
+  std::vector<int> group_of_identity_;
+  std::vector<int> component_sizes_;
   std::vector<int> neighbor_begins_;
   std::vector<int> neighbors_;
-  std::vector<int> fill_;
-  std::vector<int> items_;      ///< All items, a component after the other.
-  std::vector<int> ordered_;    ///< Those of the current component, a group after the other.
-  std::vector<Group> branches_;
-  std::vector<int> blocked_;    ///< By how many chosen items each is excluded.
+  std::vector<int> blocked_places_;  ///< By how many chosen contenders each is excluded.
+  std::vector<char> taken_identities_;
+  std::span<Branch> component_;  ///< Being solved.
+  std::vector<Ranked> by_score_;
+  std::vector<char> taken_groups_;
   std::vector<int> current_;
   std::vector<int> best_;
   double best_score_ = 0.0;

@@ -107,20 +107,17 @@ std::vector<Link> best_of(const std::vector<Link>& links, std::size_t true_robot
   for (const Link& link : links) widest = std::max(widest, link.gate);
   // One link more outweighs any distances the others can lose by it.
   const double one_more = widest * static_cast<double>(true_robots + 1);
-  std::vector<double> scores;
-  std::vector<int> groups;
-  std::vector<std::pair<int, int>> conflicts;
+  std::vector<Contender> contenders;
+  contenders.reserve(links.size());
   for (std::size_t i = 0; i < links.size(); ++i) {
-    scores.push_back(one_more + widest - links[i].apart + 1e-9);
-    groups.push_back(static_cast<int>(links[i].truth));
-    for (std::size_t k = 0; k < i; ++k) {
-      if (links[i].found != links[k].found) continue;
-      conflicts.emplace_back(static_cast<int>(k), static_cast<int>(i));
-    }
+    contenders.push_back({.score = one_more + widest - links[i].apart + 1e-9,
+                          .group = static_cast<int>(links[i].truth),
+                          .place = static_cast<int>(i),
+                          .identity = static_cast<int>(links[i].found)});
   }
   AssignmentSolver solver(1'000'000);
   std::vector<int> chosen;
-  solver.solve(scores, groups, conflicts, chosen);
+  solver.solve(contenders, {}, chosen);
   std::vector<Link> best;
   best.reserve(chosen.size());
   for (const int i : chosen) best.push_back(links[static_cast<std::size_t>(i)]);

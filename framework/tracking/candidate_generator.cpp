@@ -54,13 +54,15 @@ void CandidateGenerator::generate(const TagBlobs& blobs, std::vector<Candidate>&
     for (int l = 0; l < static_cast<int>(layouts_.size()); ++l) {
       const LayoutModel& layout = layouts_[static_cast<std::size_t>(l)];
       if (!blobs.fits_area(layout.team(), blob)) continue;
-      Candidate start;
-      start.team = blob.label == parameters_.blue_team_color ? Team::kBlue : Team::kYellow;
-      start.layout = l;
-      start.blobs[0] = b;
-      start.found = 1;
-      start.has_half = blob.is_half();
-      list_options(blobs, start);
+      Partial start;
+      start.candidate.team =
+          blob.label == parameters_.blue_team_color ? Team::kBlue : Team::kYellow;
+      start.candidate.layout = l;
+      start.candidate.blobs[0] = b;
+      start.candidate.found = 1;
+      start.candidate.has_half = blob.is_half();
+      list_options(blobs, start.candidate);
+      start.outline_costs[0] = outline_cost(layout.team(), blob);
       extend(blobs, start, 1, candidates);
     }
     is_cut_short_ = is_cut_short_ || tries_left_ <= 0;
@@ -79,14 +81,18 @@ void CandidateGenerator::list_options(const TagBlobs& blobs, const Candidate& st
   for (std::vector<Option>& options : options_) options.clear();
   for (int b = first; b < last; ++b) {
     const MetricBlob& blob = blobs.all()[static_cast<std::size_t>(b)];
+    if (std::abs(blob.position_mm.y - team.position_mm.y) > reach) continue;
     for (int patch = 1; patch <= layout.player_count(); ++patch) {
       if (refusal(blobs, layout, team, patch, blob) != PatchRefusal::kNone) continue;
       const PatchModel& model = layout.patches[static_cast<std::size_t>(patch)];
-      const double off = length_of(blob.position_mm - team.position_mm) -
-                         length_of(model.center_mm - layout.team().center_mm);
+      const double off =
+          length_of(blob.position_mm - team.position_mm) - layout.distance_mm(0, patch);
+      const double outline = outline_cost(model, blob);
       options_[static_cast<std::size_t>(patch)].push_back(
-          {b, place_cost(off, parameters_.max_patch_error_mm) + shape_cost(model, blob, nullptr) +
-                  (layout.is_listed(patch - 1, blob.label) ? 0.0 : kUnlistedCost)});
+          {b,
+           place_cost(off, parameters_.max_patch_error_mm) + outline +
+               (layout.is_listed(patch - 1, blob.label) ? 0.0 : kUnlistedCost),
+           outline});
     }
   }
   // Best first: when there is too much to try, what is left out is the least likely.
@@ -121,28 +127,30 @@ PatchRefusal CandidateGenerator::refusal(const TagBlobs& blobs, const LayoutMode
                                                       : PatchRefusal::kDistance;
 }
 
-void CandidateGenerator::extend(const TagBlobs& blobs, Candidate& partial, int patch,
+void CandidateGenerator::extend(const TagBlobs& blobs, Partial& partial, int patch,
                                 std::vector<Candidate>& candidates) {
-  const LayoutModel& layout = layouts_[static_cast<std::size_t>(partial.layout)];
+  Candidate& built = partial.candidate;
+  const LayoutModel& layout = layouts_[static_cast<std::size_t>(built.layout)];
   if (patch > layout.player_count()) {
-    Candidate candidate = partial;
-    if (partial.found > 1 && finish(blobs, candidate)) candidates.push_back(candidate);
+    Candidate candidate = built;
+    if (built.found > 1 && finish(blobs, partial, candidate)) candidates.push_back(candidate);
     return;
   }
   for (const Option& option : options_[static_cast<std::size_t>(patch)]) {
     if (--tries_left_ <= 0) return;
     const MetricBlob& blob = blobs.all()[static_cast<std::size_t>(option.blob)];
-    if (blob.is_half() && partial.has_half) continue;
-    if (!keeps_distances(blobs, partial, patch, blob)) continue;
-    partial.blobs[static_cast<std::size_t>(patch)] = option.blob;
-    ++partial.found;
-    partial.has_half = partial.has_half || blob.is_half();
+    if (blob.is_half() && built.has_half) continue;
+    if (!keeps_distances(blobs, built, patch, blob)) continue;
+    built.blobs[static_cast<std::size_t>(patch)] = option.blob;
+    partial.outline_costs[static_cast<std::size_t>(patch)] = option.outline_cost;
+    ++built.found;
+    built.has_half = built.has_half || blob.is_half();
     extend(blobs, partial, patch + 1, candidates);
-    partial.blobs[static_cast<std::size_t>(patch)] = -1;
-    --partial.found;
-    if (blob.is_half()) partial.has_half = false;
+    built.blobs[static_cast<std::size_t>(patch)] = -1;
+    --built.found;
+    if (blob.is_half()) built.has_half = false;
   }
-  if (patch - partial.found < layout.max_missing) extend(blobs, partial, patch + 1, candidates);
+  if (patch - built.found < layout.max_missing) extend(blobs, partial, patch + 1, candidates);
 }
 
 bool CandidateGenerator::keeps_distances(const TagBlobs& blobs, const Candidate& partial, int patch,
@@ -162,20 +170,19 @@ bool CandidateGenerator::keeps_distance(const LayoutModel& layout, int placed_pa
                                         const MetricBlob& placed, int patch,
                                         const MetricBlob& blob) const {
   if (placed.source == blob.source && (placed.parts & blob.parts) != 0) return false;
-  const cv::Point2d expected = layout.patches[static_cast<std::size_t>(placed_patch)].center_mm -
-                               layout.patches[static_cast<std::size_t>(patch)].center_mm;
-  return std::abs(length_of(placed.position_mm - blob.position_mm) - length_of(expected)) <=
-         distance_tolerance_mm(placed, blob);
+  return std::abs(length_of(placed.position_mm - blob.position_mm) -
+                  layout.distance_mm(placed_patch, patch)) <= distance_tolerance_mm(placed, blob);
 }
 
 double CandidateGenerator::distance_tolerance_mm(const MetricBlob& a, const MetricBlob& b) const {
   return (a.is_half() || b.is_half() ? 3.0 : 2.0) * parameters_.max_patch_error_mm;
 }
 
-bool CandidateGenerator::finish(const TagBlobs& blobs, Candidate& candidate) const {
+bool CandidateGenerator::finish(const TagBlobs& blobs, const Partial& partial,
+                                Candidate& candidate) const {
   const LayoutModel& layout = layouts_[static_cast<std::size_t>(candidate.layout)];
   candidate.complete = candidate.found == layout.player_count() + 1;
-  return read_colors(blobs, candidate) && fit(blobs, candidate);
+  return read_colors(blobs, candidate) && fit(blobs, partial, candidate);
 }
 
 bool CandidateGenerator::read_colors(const TagBlobs& blobs, Candidate& candidate) const {
@@ -192,7 +199,8 @@ bool CandidateGenerator::read_colors(const TagBlobs& blobs, Candidate& candidate
   return !candidate.has_half || candidate.color_id != kUnknownId;
 }
 
-bool CandidateGenerator::fit(const TagBlobs& blobs, Candidate& candidate) const {
+bool CandidateGenerator::fit(const TagBlobs& blobs, const Partial& partial,
+                             Candidate& candidate) const {
   const LayoutModel& layout = layouts_[static_cast<std::size_t>(candidate.layout)];
   const auto blob_of = [&](std::size_t patch) {
     return &blobs.all()[static_cast<std::size_t>(candidate.blobs[patch])];
@@ -205,10 +213,13 @@ bool CandidateGenerator::fit(const TagBlobs& blobs, Candidate& candidate) const 
     pairs.push_back({layout.patches[k].center_mm, blob_of(k)->position_mm, half ? 0.05 : 1.0});
     if (!half) whole = k;
   }
-  candidate.pose = fit_pose({pairs.data(), pairs.size()});
+  Placement placement = fit_placement({pairs.data(), pairs.size()});
   if (candidate.has_half && pairs.size() == 2) {
-    turn_to_whole_patch(layout.patches[whole], *blob_of(whole), candidate.pose);
+    Pose turned = placement.pose();
+    turn_to_whole_patch(layout.patches[whole], *blob_of(whole), turned);
+    placement = Placement(turned);
   }
+  candidate.pose = placement.pose();
   const double max_error = (candidate.has_half ? 2.0 : 1.0) * parameters_.max_patch_error_mm;
   candidate.score = 0.0;
   for (std::size_t k = 0; k < layout.patches.size(); ++k) {
@@ -217,12 +228,15 @@ bool CandidateGenerator::fit(const TagBlobs& blobs, Candidate& candidate) const 
       continue;
     }
     const MetricBlob& blob = *blob_of(k);
-    const cv::Point2d off = blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
+    const cv::Point2d off = blob.position_mm - placement.apply(layout.patches[k].center_mm);
     const double error = length_of(off);
     if (error > max_error) return false;
     candidate.score += blob.is_half() ? kHalfPatchScore : kPatchScore;
     candidate.score -= place_cost(error, max_error);
-    candidate.score -= shape_cost(layout.patches[k], blob, &candidate.pose.heading_rad);
+    const double cost = partial.outline_costs[k] +
+                        direction_cost(layout.patches[k], blob, candidate.pose.heading_rad);
+    if (k == 0) candidate.team_cost = cost;
+    candidate.score -= cost;
   }
   const double sigmas = candidate.has_half ? 4.0 : candidate.complete ? 1.0 : 1.5;
   candidate.position_sigmas = sigmas;

@@ -20,7 +20,9 @@ class TagBlobs {
   /// Takes the blobs that could be patches. Those twice too large become two halves as well.
   void load(std::span<const Blob> blobs, const Field& field);
 
-  const std::vector<MetricBlob>& all() const { return blobs_; }
+  const std::vector<MetricBlob>& all() const { return sorted_; }
+  /// Number of the frame's blobs, which the sources of `all` count.
+  int source_count() const { return source_count_; }
   /// Whether the last frame held more blobs than are looked at.
   bool is_cut_short() const { return is_cut_short_; }
   /// Areas of anything that could be a patch, or two patches run into each other.
@@ -39,13 +41,18 @@ class TagBlobs {
 
  private:
   void add_halves(const MetricBlob& blob);
+  void sort_by_position();
 
   const TrackingParameters& parameters_;
   std::span<const LayoutModel> layouts_;
   double min_area_mm2_ = 0.0;
   double max_area_mm2_ = 0.0;
   std::array<bool, 256> listed_{};
-  std::vector<MetricBlob> blobs_;
+  std::vector<MetricBlob> blobs_;  ///< As they come.
+  std::vector<int> order_;         ///< Of blobs_.
+  std::vector<MetricBlob> sorted_;
+  std::vector<double> xs_mm_;  ///< Of sorted_; near together, for within_x.
+  int source_count_ = 0;
   bool is_cut_short_ = false;
 };
 
@@ -84,18 +91,24 @@ class CandidateGenerator {
   struct Option {
     int blob = 0;
     double cost = 0.0;
+    double outline_cost = 0.0;
   };
 
   void list_options(const TagBlobs& blobs, const Candidate& start);
-  void extend(const TagBlobs& blobs, Candidate& partial, int patch,
+  /// A candidate being built, patch by patch.
+  struct Partial {
+    Candidate candidate;
+    std::array<double, kMaxPatches> outline_costs{};  ///< Of the patches found.
+  };
+  void extend(const TagBlobs& blobs, Partial& partial, int patch,
               std::vector<Candidate>& candidates);
   bool keeps_distances(const TagBlobs& blobs, const Candidate& partial, int patch,
                        const MetricBlob& blob) const;
   bool keeps_distance(const LayoutModel& layout, int placed_patch, const MetricBlob& placed,
                       int patch, const MetricBlob& blob) const;
-  bool finish(const TagBlobs& blobs, Candidate& candidate) const;
+  bool finish(const TagBlobs& blobs, const Partial& partial, Candidate& candidate) const;
   bool read_colors(const TagBlobs& blobs, Candidate& candidate) const;
-  bool fit(const TagBlobs& blobs, Candidate& candidate) const;
+  bool fit(const TagBlobs& blobs, const Partial& partial, Candidate& candidate) const;
 
   const TrackingParameters& parameters_;
   std::span<const LayoutModel> layouts_;

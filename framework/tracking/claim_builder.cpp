@@ -24,6 +24,8 @@ constexpr std::size_t kMaxClaims = 1000;
 // A team blob of this part of the whole tag's area may have swallowed the player patches.
 constexpr double kMinWholeRatio = 0.7;
 constexpr double kMaxWholeRatio = 1.4;
+// Squares below their limit by more than rounding are below it after the root as well.
+constexpr double kRoundingSlack = 1.0 + 1e-9;
 
 // Takes the heading from the line of one elongated blob, on the side nearest to the prediction.
 void turn_to_line(const PatchModel& patch, const MetricBlob& blob, const RobotTrack& track,
@@ -38,6 +40,16 @@ void turn_to_line(const PatchModel& patch, const MetricBlob& blob, const RobotTr
 
 }  // namespace
 
+ClaimBuilder::ClaimBuilder(const TrackingParameters& parameters,
+                           std::span<const LayoutModel> layouts)
+    : parameters_(parameters), layouts_(layouts), place_conflicts_(layouts) {
+  for (const LayoutModel& layout : layouts) {
+    for (const TagId& entry : layout.ids) ids_.push_back(entry.id);
+  }
+  std::ranges::sort(ids_);
+  ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+}
+
 void ClaimBuilder::build(const TagBlobs& blobs, std::span<const RobotTrack> tracks,
                          cv::Point2d field_limit_mm, std::vector<Candidate>& candidates) {
   blobs_ = &blobs;
@@ -45,10 +57,11 @@ void ClaimBuilder::build(const TagBlobs& blobs, std::span<const RobotTrack> trac
   field_limit_mm_ = field_limit_mm;
   candidates_ = &candidates;
   claims_.clear();
-  scores_.clear();
-  groups_.clear();
+  contenders_.clear();
+  expect_tracks();
   const int with_geometry = static_cast<int>(candidates.size());
   for (int c = 0; c < with_geometry; ++c) {
+    find_near(candidates[static_cast<std::size_t>(c)]);
     claim_by_colors(c);
     claim_by_motion(c);
     claim_as_unknown(c);
@@ -61,16 +74,63 @@ void ClaimBuilder::build(const TagBlobs& blobs, std::span<const RobotTrack> trac
     for (int b = 0; b < static_cast<int>(blobs.all().size()); ++b) claim_team_patch_alone(b);
   }
   keep_best();
-  find_conflicts();
+  conflicts_ = place_conflicts_.find(blobs, candidates, contenders_);
 }
 
-// Pairs of claims are looked at below, so that their number has to have an end.
+ClaimBuilder::Expectation ClaimBuilder::expectation_of(int t) const {
+  const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
+  const double gate_mm = track.gate_mm(parameters_);
+  // As long as the heading is unknown the place may be off by as much as the team patch is.
+  const double slack_mm =
+      track.heading_known ? 0.0 : length_of(layout_at(track.layout).team().center_mm);
+  const double reach_mm = gate_mm + slack_mm;
+  return {.position_mm = track.pose().position_mm,
+          .reach_mm = reach_mm,
+          .squared_reach_mm2 = reach_mm * reach_mm * kRoundingSlack,
+          .near_width_mm = std::max(6.0, gate_mm / 2.5),
+          .heading_rad = track.pose().heading_rad,
+          .heading_known = track.heading_known,
+          .team = track.team,
+          .id = track.id,
+          .track = t};
+}
+
+void ClaimBuilder::expect_tracks() {
+  for (std::vector<Expectation>& team : expected_) team.clear();
+  for (int t = 0; t < static_cast<int>(tracks_.size()); ++t) {
+    const Expectation expected = expectation_of(t);
+    expected_[static_cast<std::size_t>(expected.team)].push_back(expected);
+  }
+}
+
+void ClaimBuilder::find_near(const Candidate& candidate) {
+  near_.clear();
+  for (const Expectation& expected : expected_[static_cast<std::size_t>(candidate.team)]) {
+    const cv::Point2d off = candidate.pose.position_mm - expected.position_mm;
+    const double squared = off.dot(off);
+    if (squared > expected.squared_reach_mm2) continue;
+    const double distance_mm = std::sqrt(squared);
+    if (distance_mm <= expected.reach_mm) near_.push_back({&expected, distance_mm});
+  }
+}
+
+int ClaimBuilder::identity_of(Team team, int id, int track) const {
+  if (id >= 0) {
+    const auto rank = std::ranges::lower_bound(ids_, id) - ids_.begin();
+    return 2 * static_cast<int>(rank) + static_cast<int>(team);
+  }
+  return track >= 0 ? 2 * static_cast<int>(ids_.size()) + track : -1;
+}
+
+// Pairs of claims exclude each other, so that their number has to have an end.
 void ClaimBuilder::keep_best() {
   is_cut_short_ = claims_.size() > kMaxClaims;
   if (!is_cut_short_) return;
   by_score_.resize(claims_.size());
   std::iota(by_score_.begin(), by_score_.end(), 0);
-  const auto score_of = [&](int claim) { return scores_[static_cast<std::size_t>(claim)]; };
+  const auto score_of = [&](int claim) {
+    return contenders_[static_cast<std::size_t>(claim)].score;
+  };
   std::ranges::nth_element(by_score_, by_score_.begin() + kMaxClaims, [&](int a, int b) {
     return score_of(a) != score_of(b) ? score_of(a) > score_of(b) : a < b;
   });
@@ -79,21 +139,20 @@ void ClaimBuilder::keep_best() {
   for (std::size_t i = 0; i < kMaxClaims; ++i) {
     const auto from = static_cast<std::size_t>(by_score_[i]);
     claims_[i] = claims_[from];
-    scores_[i] = scores_[from];
-    groups_[i] = groups_[from];
+    contenders_[i] = contenders_[from];
   }
   claims_.resize(kMaxClaims);
-  scores_.resize(kMaxClaims);
-  groups_.resize(kMaxClaims);
+  contenders_.resize(kMaxClaims);
 }
 
 void ClaimBuilder::add(int candidate, int id, int track, double score) {
   if (score <= 0.0) return;
-  const int team_blob = (*candidates_)[static_cast<std::size_t>(candidate)].blobs[0];
+  const Candidate& sighting = (*candidates_)[static_cast<std::size_t>(candidate)];
+  const int team_blob = sighting.blobs[0];
   claims_.push_back({candidate, id, track});
-  scores_.push_back(score);
   // At most one claim on a team patch holds, and at most one on a track that lacks its own.
-  groups_.push_back(team_blob >= 0 ? team_blob : static_cast<int>(blobs_->all().size()) + track);
+  const int group = team_blob >= 0 ? team_blob : static_cast<int>(blobs_->all().size()) + track;
+  contenders_.push_back({score, group, candidate, identity_of(sighting.team, id, track)});
 }
 
 void ClaimBuilder::claim_by_colors(int index) {
@@ -102,15 +161,15 @@ void ClaimBuilder::claim_by_colors(int index) {
   double score = candidate.score + kListedScore;
   int own = -1;
   bool contrary = false;
-  for (int t = 0; t < static_cast<int>(tracks_.size()); ++t) {
-    const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
-    if (track.team != candidate.team || !is_gated(track, candidate)) continue;
-    if (track.id == candidate.color_id) {
-      own = t;
-      score += near_score(track, candidate);
-    } else if (track.seen_frames >= kSteadyFrames && track.missed_frames < kHoldFrames &&
-               distance_mm(track, candidate) < kMaxHoldDistanceMm &&
-               !track.is_refuted_by(candidate.color_id)) {
+  for (const auto& [expected, distance_mm] : near_) {
+    if (expected->id == candidate.color_id) {
+      own = expected->track;
+      score += near_score(*expected, distance_mm, candidate);
+      continue;
+    }
+    const RobotTrack& track = tracks_[static_cast<std::size_t>(expected->track)];
+    if (track.seen_frames >= kSteadyFrames && track.missed_frames < kHoldFrames &&
+        distance_mm < kMaxHoldDistanceMm && !track.is_refuted_by(candidate.color_id)) {
       contrary = true;
     }
   }
@@ -120,15 +179,12 @@ void ClaimBuilder::claim_by_colors(int index) {
 
 void ClaimBuilder::claim_by_motion(int index) {
   const Candidate& candidate = (*candidates_)[static_cast<std::size_t>(index)];
-  for (int t = 0; t < static_cast<int>(tracks_.size()); ++t) {
-    const RobotTrack& track = tracks_[static_cast<std::size_t>(t)];
+  for (const auto& [expected, distance_mm] : near_) {
+    const RobotTrack& track = tracks_[static_cast<std::size_t>(expected->track)];
     const bool colors_say_so = candidate.complete && track.id == candidate.color_id;
-    if (track.team != candidate.team || (colors_say_so && track.id != kUnknownId)) continue;
-    if (track.missed_frames >= kHoldFrames || !is_gated(track, candidate) ||
-        distance_mm(track, candidate) > kMaxHoldDistanceMm) {
-      continue;
-    }
-    double score = candidate.score + near_score(track, candidate);
+    if (colors_say_so && track.id != kUnknownId) continue;
+    if (track.missed_frames >= kHoldFrames || distance_mm > kMaxHoldDistanceMm) continue;
+    double score = candidate.score + near_score(*expected, distance_mm, candidate);
     if (track.id == kUnknownId) {
       score -= kUnlistedCost;
     } else if (!shows_colors_of(track, candidate)) {
@@ -138,7 +194,7 @@ void ClaimBuilder::claim_by_motion(int index) {
     if (candidate.complete && !colors_say_so && track.is_refuted_by(candidate.color_id)) {
       score -= kContraryCost;
     }
-    add(index, track.id, t, score);
+    add(index, track.id, expected->track, score);
   }
 }
 
@@ -149,9 +205,7 @@ UnknownRefusal ClaimBuilder::refusal_as_unknown(const Candidate& candidate) cons
       std::abs(candidate.pose.position_mm.y) > field_limit_mm_.y) {
     return UnknownRefusal::kOutside;
   }
-  const double team_cost = shape_cost(layout_at(candidate.layout).team(),
-                                      blob_at(candidate.blobs[0]), &candidate.pose.heading_rad);
-  return team_cost > kMaxUnknownTeamCost ? UnknownRefusal::kShape : UnknownRefusal::kNone;
+  return candidate.team_cost > kMaxUnknownTeamCost ? UnknownRefusal::kShape : UnknownRefusal::kNone;
 }
 
 void ClaimBuilder::claim_as_unknown(int index) {
@@ -184,7 +238,8 @@ void ClaimBuilder::claim_team_patch_alone(int b) {
       candidate.heading_sigmas = 0.0;
     }
     candidate.position_sigmas = 2.0;
-    candidate.score = kPatchScore - shape_cost(patch, blob, nullptr);
+    candidate.team_cost = outline_cost(patch, blob);
+    candidate.score = kPatchScore - candidate.team_cost;
     candidates_->push_back(candidate);
     add(static_cast<int>(candidates_->size()) - 1, kUnknownId, -1,
         candidate.score - kUnlistedCost - kBlindCost);
@@ -228,10 +283,12 @@ void ClaimBuilder::claim_team_blobs_of(int t, const PatchModel& patch, double mi
     candidate.pose.position_mm = blob.position_mm;
     candidate.pose.position_mm -= candidate.pose.apply(offset_mm) - blob.position_mm;
     candidate.position_sigmas = 2.0;
-    candidate.score = kPatchScore - cost - shape_cost(patch, blob, &candidate.pose.heading_rad);
+    candidate.team_cost =
+        outline_cost(patch, blob) + direction_cost(patch, blob, candidate.pose.heading_rad);
+    candidate.score = kPatchScore - cost - candidate.team_cost;
     candidates_->push_back(candidate);
     add(static_cast<int>(candidates_->size()) - 1, track.id, t,
-        candidate.score + near_score(track, candidate));
+        candidate.score + near_score(t, candidate));
   }
 }
 
@@ -285,36 +342,31 @@ void ClaimBuilder::claim_player_patches_of(int t) {
     const MetricBlob& blob = blob_at(candidate.blobs[k]);
     const cv::Point2d off = blob.position_mm - candidate.pose.apply(layout.patches[k].center_mm);
     candidate.score += kPatchScore -
-                       shape_cost(layout.patches[k], blob, &candidate.pose.heading_rad) -
+                       (outline_cost(layout.patches[k], blob) +
+                        direction_cost(layout.patches[k], blob, candidate.pose.heading_rad)) -
                        place_cost(length_of(off), parameters_.max_patch_error_mm);
   }
   candidates_->push_back(candidate);
   add(static_cast<int>(candidates_->size()) - 1, track.id, t,
-      candidate.score - kBlindCost + near_score(track, candidate));
+      candidate.score - kBlindCost + near_score(t, candidate));
 }
 
-double ClaimBuilder::distance_mm(const RobotTrack& track, const Candidate& candidate) const {
-  const cv::Point2d off = candidate.pose.position_mm - track.pose().position_mm;
-  return length_of(off);
-}
-
-bool ClaimBuilder::is_gated(const RobotTrack& track, const Candidate& candidate) const {
-  // As long as the heading is unknown the place may be off by as much as the team patch is.
-  const cv::Point2d center = layout_at(track.layout).team().center_mm;
-  const double slack = track.heading_known ? 0.0 : length_of(center);
-  return distance_mm(track, candidate) <= track.gate_mm(parameters_) + slack;
-}
-
-double ClaimBuilder::near_score(const RobotTrack& track, const Candidate& candidate) const {
-  const double width = std::max(6.0, track.gate_mm(parameters_) / 2.5);
-  const double off = distance_mm(track, candidate) / width;
+double ClaimBuilder::near_score(const Expectation& expected, double distance_mm,
+                                const Candidate& candidate) const {
+  const double off = distance_mm / expected.near_width_mm;
   double score = kNearPlaceScore * std::exp(-0.5 * off * off);
-  if (track.heading_known && candidate.heading_known) {
+  if (expected.heading_known && candidate.heading_known) {
     const double turned =
-        wrap_turn(candidate.pose.heading_rad - track.pose().heading_rad) / radians(20.0);
+        wrap_turn(candidate.pose.heading_rad - expected.heading_rad) / radians(20.0);
     score += kNearHeadingScore * std::exp(-0.5 * turned * turned);
   }
   return score;
+}
+
+double ClaimBuilder::near_score(int track, const Candidate& candidate) const {
+  const Expectation expected = expectation_of(track);
+  return near_score(expected, length_of(candidate.pose.position_mm - expected.position_mm),
+                    candidate);
 }
 
 bool ClaimBuilder::shows_colors_of(const RobotTrack& track, const Candidate& candidate) const {
@@ -327,68 +379,13 @@ bool ClaimBuilder::shows_colors_of(const RobotTrack& track, const Candidate& can
   return true;
 }
 
-bool ClaimBuilder::exclude_each_other(const Claim& a, const Claim& b, double window_mm) const {
-  const Candidate& first = (*candidates_)[static_cast<std::size_t>(a.candidate)];
-  const Candidate& second = (*candidates_)[static_cast<std::size_t>(b.candidate)];
-  const cv::Point2d apart = first.pose.position_mm - second.pose.position_mm;
-  const double nearest = min_separation_mm(layout_at(first.layout), layout_at(second.layout));
-  // The squares spare a std::hypot, which would be the dearest call of a frame.
-  const double squared = apart.dot(apart);
-  if (squared < nearest * nearest) return true;
-  if (squared > window_mm * window_mm) return false;
-  for (const int i : first.blobs) {
-    if (i < 0) continue;
-    for (const int k : second.blobs) {
-      if (k < 0 || blob_at(i).source != blob_at(k).source) continue;
-      if ((blob_at(i).parts & blob_at(k).parts) != 0) return true;
-    }
-  }
-  return false;
-}
-
-void ClaimBuilder::find_conflicts() {
-  conflicts_.clear();
-  by_x_.clear();
-  by_identity_.clear();
-  const auto candidate_of = [&](int claim) -> const Candidate& {
-    const int index = claims_[static_cast<std::size_t>(claim)].candidate;
-    return (*candidates_)[static_cast<std::size_t>(index)];
-  };
-  for (int i = 0; i < static_cast<int>(claims_.size()); ++i) {
-    const Claim& claim = claims_[static_cast<std::size_t>(i)];
-    by_x_.push_back(i);
-    const int team = candidate_of(i).team == Team::kBlue ? 0 : 1;
-    if (claim.id >= 0) {
-      by_identity_.emplace_back(2 * claim.id + team, i);
-    } else if (claim.track >= 0) {
-      by_identity_.emplace_back(-1 - claim.track, i);
-    }
-  }
-  const auto x_of = [&](int claim) { return candidate_of(claim).pose.position_mm.x; };
-  std::ranges::sort(by_x_,
-                    [&](int a, int b) { return x_of(a) != x_of(b) ? x_of(a) < x_of(b) : a < b; });
-  double window = 0.0;
-  for (const LayoutModel& layout : layouts_) {
-    // Robots that share a blob are at most two patch radii apart.
-    window = std::max(window,
-                      2.0 * (1.5 * layout.half_extent_mm + 2.0 * parameters_.max_patch_error_mm));
-  }
-  for (std::size_t i = 0; i < by_x_.size(); ++i) {
-    for (std::size_t k = i + 1; k < by_x_.size() && x_of(by_x_[k]) - x_of(by_x_[i]) <= window;
-         ++k) {
-      if (exclude_each_other(claims_[static_cast<std::size_t>(by_x_[i])],
-                             claims_[static_cast<std::size_t>(by_x_[k])], window)) {
-        conflicts_.emplace_back(by_x_[i], by_x_[k]);
-      }
-    }
-  }
-  std::ranges::sort(by_identity_);
-  for (std::size_t i = 0; i < by_identity_.size(); ++i) {
-    for (std::size_t k = i + 1;
-         k < by_identity_.size() && by_identity_[k].first == by_identity_[i].first; ++k) {
-      conflicts_.emplace_back(by_identity_[i].second, by_identity_[k].second);
-    }
-  }
+bool ClaimBuilder::exclude_each_other(int claim, int other) const {
+  const Contender& a = contenders_[static_cast<std::size_t>(claim)];
+  const Contender& b = contenders_[static_cast<std::size_t>(other)];
+  if (a.group == b.group || (a.identity >= 0 && a.identity == b.identity)) return true;
+  return std::ranges::any_of(conflicts_, [&](const std::pair<int, int>& pair) {
+    return pair == std::pair(a.place, b.place) || pair == std::pair(b.place, a.place);
+  });
 }
 
 }  // namespace maggic::tracking

@@ -15,15 +15,16 @@ double capped_square(double deviation, double sigma, double cap) {
 
 }  // namespace
 
-double shape_cost(const PatchModel& patch, const MetricBlob& blob, const double* heading_rad) {
-  double cost = capped_square(std::log(blob.area_mm2 / patch.area_mm2), 0.35, 4.0);
-  if (blob.is_half()) return cost;
-  cost += capped_square(std::log(blob.elongation() / patch.elongation), 0.25, 6.0);
-  if (heading_rad && patch.is_elongated() && blob.elongation() > 1.25) {
-    const double turned = wrap_line(blob.axis_rad - patch.axis_rad - *heading_rad);
-    cost += capped_square(turned, radians(15.0), 4.0);
-  }
-  return cost;
+double outline_cost(const PatchModel& patch, const MetricBlob& blob) {
+  const double area_cost = capped_square(std::log(blob.area_mm2 / patch.area_mm2), 0.35, 4.0);
+  if (blob.is_half()) return area_cost;
+  return area_cost + capped_square(std::log(blob.elongation() / patch.elongation), 0.25, 6.0);
+}
+
+double direction_cost(const PatchModel& patch, const MetricBlob& blob, double heading_rad) {
+  if (blob.is_half() || !patch.is_elongated() || blob.elongation() <= 1.25) return 0.0;
+  const double turned = wrap_line(blob.axis_rad - patch.axis_rad - heading_rad);
+  return capped_square(turned, radians(15.0), 4.0);
 }
 
 double place_cost(double error_mm, double max_error_mm) {

@@ -16,14 +16,15 @@ inline constexpr double kHalfPatchScore = 5.0;  ///< For half of a merged blob.
 inline constexpr double kListedScore = 4.0;     ///< The colours are in the id table.
 inline constexpr double kUnlistedCost = 4.0;
 inline constexpr double kMissingPatchCost = 3.0;
-inline constexpr double kNearPlaceScore = 4.0;    ///< At most, for being where motion predicts.
+inline constexpr double kNearPlaceScore = 4.0;  ///< At most, for being where motion predicts.
 inline constexpr double kNearHeadingScore = 2.0;
 inline constexpr double kHeldCost = 3.0;      ///< The id comes from motion, not from colours.
 inline constexpr double kContraryCost = 9.0;  ///< Colours and motion disagree about the id.
 
-/// Cost of area, outline and direction of one blob read as `patch`.
-/// @param heading_rad of the pattern, or null when unknown: the direction then costs nothing.
-double shape_cost(const PatchModel& patch, const MetricBlob& blob, const double* heading_rad);
+/// Cost of area and outline of one blob read as `patch`.
+double outline_cost(const PatchModel& patch, const MetricBlob& blob);
+/// Cost of the blob's direction, with the pattern's heading known.
+double direction_cost(const PatchModel& patch, const MetricBlob& blob, double heading_rad);
 
 /// Cost of a blob that lies off the place the pose gives its patch. At `max_error_mm`, 3 sigma.
 double place_cost(double error_mm, double max_error_mm);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tracking/angles.hpp"
+#include "tracking/pose.hpp"
 
 namespace maggic::tracking {
 namespace {
@@ -65,19 +66,27 @@ LayoutModel::LayoutModel(const TagLayout& layout)
     }
   }
   max_missing = player_count() / 2;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+      distances_mm_[i][k] = length_of(patches[i].center_mm - patches[k].center_mm);
+    }
+  }
+  for (const TagId& entry : ids) {
+    colors_.insert(colors_.end(), entry.colors.begin(), entry.colors.end());
+    for (std::size_t player = 0; player < entry.colors.size(); ++player) {
+      listed_players_[entry.colors[player]] |= static_cast<std::uint8_t>(1u << player);
+    }
+  }
 }
 
 int LayoutModel::find_id(const Label* colors) const {
+  auto listed = colors_.begin();
   for (const TagId& entry : ids) {
-    if (std::equal(entry.colors.begin(), entry.colors.end(), colors)) return entry.id;
+    const auto next = listed + player_count();
+    if (std::equal(listed, next, colors)) return entry.id;
+    listed = next;
   }
   return kUnknownId;
-}
-
-bool LayoutModel::is_listed(int player, Label color) const {
-  return std::ranges::any_of(ids, [&](const TagId& entry) {
-    return entry.colors[static_cast<std::size_t>(player)] == color;
-  });
 }
 
 const TagId* LayoutModel::entry(int id) const {

@@ -1,6 +1,8 @@
 #pragma once
 /// A tag layout made ready for matching.
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "maggic/tag_layout.hpp"
@@ -37,9 +39,18 @@ struct LayoutModel {
   /// The id these colours stand for, kUnknownId when none. @param colors one a player patch.
   int find_id(const Label* colors) const;
   /// Whether some id has `color` on player patch `player` (from 0).
-  bool is_listed(int player, Label color) const;
+  bool is_listed(int player, Label color) const { return listed_players_[color] >> player & 1; }
+  /// Between the centres of two patches.
+  double distance_mm(int patch, int other) const {
+    return distances_mm_[static_cast<std::size_t>(patch)][static_cast<std::size_t>(other)];
+  }
   /// The colours of an id; null when this layout does not have it.
   const TagId* entry(int id) const;
+
+ private:
+  std::vector<Label> colors_;                       ///< Those of all ids, one id after the other.
+  std::array<std::uint8_t, 256> listed_players_{};  ///< A bit a player patch.
+  std::array<std::array<double, kMaxPatches>, kMaxPatches> distances_mm_{};
 };
 
 /// Centres of two robots with these tags are never nearer than this, measuring errors allowed for.

@@ -4,12 +4,10 @@
 
 namespace maggic::tracking {
 
-cv::Point2d Pose::apply(cv::Point2d robot_mm) const {
-  const double c = std::cos(heading_rad);
-  const double s = std::sin(heading_rad);
-  return {position_mm.x + c * robot_mm.x - s * robot_mm.y,
-          position_mm.y + s * robot_mm.x + c * robot_mm.y};
-}
+Placement::Placement(const Pose& pose)
+    : pose_(pose), cos_(std::cos(pose.heading_rad)), sin_(std::sin(pose.heading_rad)) {}
+
+cv::Point2d Pose::apply(cv::Point2d robot_mm) const { return Placement(*this).apply(robot_mm); }
 
 cv::Point2d Pose::to_robot(cv::Point2d field_mm) const {
   const double c = std::cos(heading_rad);
@@ -18,7 +16,7 @@ cv::Point2d Pose::to_robot(cv::Point2d field_mm) const {
   return {c * d.x + s * d.y, -s * d.x + c * d.y};
 }
 
-Pose fit_pose(std::span<const PointPair> pairs) {
+Placement fit_placement(std::span<const PointPair> pairs) {
   cv::Point2d robot_mean;
   cv::Point2d field_mean;
   double weight = 0.0;
@@ -38,9 +36,9 @@ Pose fit_pose(std::span<const PointPair> pairs) {
     cross += pair.weight * r.cross(f);
     dot += pair.weight * r.dot(f);
   }
-  Pose pose{{}, std::atan2(cross, dot)};
-  pose.position_mm = field_mean - pose.apply(robot_mean);
-  return pose;
+  Placement placement({{}, std::atan2(cross, dot)});
+  placement.move_to(field_mean - placement.apply(robot_mean));
+  return placement;
 }
 
 }  // namespace maggic::tracking

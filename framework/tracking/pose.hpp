@@ -22,6 +22,23 @@ struct Pose {
   cv::Point2d to_robot(cv::Point2d field_mm) const;
 };
 
+/// A pose with its rotation worked out: places several points at the cost of one.
+class Placement {
+ public:
+  explicit Placement(const Pose& pose);
+  const Pose& pose() const { return pose_; }
+  cv::Point2d apply(cv::Point2d robot_mm) const {
+    return {pose_.position_mm.x + cos_ * robot_mm.x - sin_ * robot_mm.y,
+            pose_.position_mm.y + sin_ * robot_mm.x + cos_ * robot_mm.y};
+  }
+  void move_to(cv::Point2d position_mm) { pose_.position_mm = position_mm; }
+
+ private:
+  Pose pose_;
+  double cos_;
+  double sin_;
+};
+
 /// One point of the pattern and where it was seen.
 struct PointPair {
   cv::Point2d robot_mm;
@@ -31,6 +48,7 @@ struct PointPair {
 
 /// Least-squares rotation and translation (no scale, no mirror), in closed form.
 /// @param pairs at least two with different `robot_mm`; weights above 0.
-Pose fit_pose(std::span<const PointPair> pairs);
+Placement fit_placement(std::span<const PointPair> pairs);
+inline Pose fit_pose(std::span<const PointPair> pairs) { return fit_placement(pairs).pose(); }
 
 }  // namespace maggic::tracking

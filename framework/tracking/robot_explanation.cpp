@@ -307,7 +307,7 @@ class Explanation {
     int claim = -1;
     for (int i = 0; i < static_cast<int>(claims.size()); ++i) {
       const auto score_of = [&](int c) {
-        return evidence_.claims.scores()[static_cast<std::size_t>(c)];
+        return evidence_.claims.contenders()[static_cast<std::size_t>(c)].score;
       };
       if (claims[static_cast<std::size_t>(i)].candidate != index) continue;
       if (claim < 0 || score_of(i) > score_of(claim)) claim = i;
@@ -344,17 +344,13 @@ class Explanation {
     const std::span<const Claim> claims = evidence_.claims.claims();
     const Claim& own = claims[static_cast<std::size_t>(claim)];
     const Candidate& own_sighting = candidate_at(own.candidate);
-    const auto groups = evidence_.claims.groups();
+    const std::span<const Contender> contenders = evidence_.claims.contenders();
     for (const int other : evidence_.chosen) {
       const Claim& rival = claims[static_cast<std::size_t>(other)];
       const Candidate& sighting = candidate_at(rival.candidate);
-      const bool same_group =
-          groups[static_cast<std::size_t>(claim)] == groups[static_cast<std::size_t>(other)];
-      const bool in_conflict =
-          std::ranges::any_of(evidence_.claims.conflicts(), [&](const std::pair<int, int>& pair) {
-            return pair == std::pair(claim, other) || pair == std::pair(other, claim);
-          });
-      if (!same_group && !in_conflict) continue;
+      const bool same_group = contenders[static_cast<std::size_t>(claim)].group ==
+                              contenders[static_cast<std::size_t>(other)].group;
+      if (!evidence_.claims.exclude_each_other(claim, other)) continue;
       const bool same_id = own.id >= 0 && own.id == rival.id && own_sighting.team == sighting.team;
       const std::string_view reason = same_id      ? "the id is taken by"
                                       : same_group ? "its team patch belongs to"

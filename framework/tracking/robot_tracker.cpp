@@ -41,7 +41,7 @@ void RobotTracker::track(const TrackerInput& input, double dt_s) {
                              field.width_mm / 2.0 + kFieldMarginMm);
   claims_.build(blobs_, tracks_, limit_mm, candidates_);
   const std::uint64_t before = solver_.cut_short();
-  solver_.solve(claims_.scores(), claims_.groups(), claims_.conflicts(), chosen_);
+  solver_.solve(claims_.contenders(), claims_.conflicts(), chosen_);
   is_cut_short_ = blobs_.is_cut_short() || generator_.is_cut_short() || claims_.is_cut_short() ||
                   solver_.cut_short() > before;
   continue_tracks();

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "tracking/candidate_generator.hpp"
 
@@ -35,6 +36,7 @@ void TagBlobs::load(std::span<const Blob> blobs, const Field& field) {
   const double height_mm = field.robot_height_mm();
   const AreaSieve sieve(field, height_mm, min_area_mm2_, max_area_mm2_);
   blobs_.clear();
+  source_count_ = static_cast<int>(blobs.size());
   for (int i = 0; i < static_cast<int>(blobs.size()); ++i) {
     const Blob& blob = blobs[static_cast<std::size_t>(i)];
     if (!sieve.passes(blob) || (!is_team_color(blob.label) && !may_be_player(blob.label))) continue;
@@ -51,12 +53,27 @@ void TagBlobs::load(std::span<const Blob> blobs, const Field& field) {
     blobs_.resize(kMaxBlobs);
   }
   for (std::size_t i = 0, whole = blobs_.size(); i < whole; ++i) add_halves(MetricBlob(blobs_[i]));
+  sort_by_position();
+}
+
+void TagBlobs::sort_by_position() {
+  order_.resize(blobs_.size());
+  std::iota(order_.begin(), order_.end(), 0);
   // Position before source: the answer must not depend on the order blobs come in.
-  std::ranges::sort(blobs_, [](const MetricBlob& a, const MetricBlob& b) {
+  std::ranges::sort(order_, [&](int first, int second) {
+    const MetricBlob& a = blobs_[static_cast<std::size_t>(first)];
+    const MetricBlob& b = blobs_[static_cast<std::size_t>(second)];
     if (a.position_mm.x != b.position_mm.x) return a.position_mm.x < b.position_mm.x;
     if (a.position_mm.y != b.position_mm.y) return a.position_mm.y < b.position_mm.y;
     return a.source != b.source ? a.source < b.source : a.parts < b.parts;
   });
+  sorted_.clear();
+  xs_mm_.clear();
+  for (const int index : order_) {
+    const MetricBlob& blob = blobs_[static_cast<std::size_t>(index)];
+    sorted_.push_back(blob);
+    xs_mm_.push_back(blob.position_mm.x);
+  }
 }
 
 void TagBlobs::add_halves(const MetricBlob& blob) {
@@ -77,10 +94,9 @@ void TagBlobs::add_halves(const MetricBlob& blob) {
 }
 
 std::pair<int, int> TagBlobs::within_x(double x_mm, double reach_mm) const {
-  const auto x_of = [](const MetricBlob& blob) { return blob.position_mm.x; };
-  const auto first = std::ranges::lower_bound(blobs_, x_mm - reach_mm, {}, x_of);
-  const auto last = std::ranges::upper_bound(blobs_, x_mm + reach_mm, {}, x_of);
-  return {static_cast<int>(first - blobs_.begin()), static_cast<int>(last - blobs_.begin())};
+  const auto first = std::ranges::lower_bound(xs_mm_, x_mm - reach_mm);
+  const auto last = std::upper_bound(first, xs_mm_.end(), x_mm + reach_mm);
+  return {static_cast<int>(first - xs_mm_.begin()), static_cast<int>(last - xs_mm_.begin())};
 }
 
 bool TagBlobs::is_team_color(Label label) const {

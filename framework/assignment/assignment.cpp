@@ -49,6 +49,8 @@ void AssignmentSolver::sort_into_groups(std::span<const Contender> contenders) {
   group_of_identity_.assign(identities, -1);
   blocked_places_.assign(places, 0);
   taken_identities_.assign(identities, 0);
+  prices_.assign(identities, 0.0);
+  demands_.assign(identities, {});
   taken_groups_.assign(groups, 0);
 
   // Counted one group further, so that filling moves every begin to its place.
@@ -146,15 +148,87 @@ void AssignmentSolver::unite(int a, int b) {
 
 void AssignmentSolver::solve_component(std::size_t first_branch, std::size_t last_branch) {
   component_ = std::span(branches_).subspan(first_branch, last_branch - first_branch);
+  choose_greedily();
+  price_identities();
+  double prices = 0.0;
+  for (const Branch& branch : component_) {
+    for (int i = branch.begin; i < branch.end; ++i) {
+      const int identity = options_[i].identity;
+      if (identity < 0 || demands_[identity].most < 0.0) continue;
+      prices += prices_[identity];
+      demands_[identity].most = -1.0;
+    }
+  }
+  sort_by_worth();
+  current_.clear();
+  search(0, 0.0, prices);
+  if (steps_ > step_budget_) ++cut_short_;
+}
+
+// A price on every identity, taken off what its options are worth and added once in all, leaves a
+// bound on what can be had; prices at which no two groups want one identity make it a close one.
+void AssignmentSolver::price_identities() {
+  constexpr int kMaxRounds = 20;
+  for (int round = 0; round < kMaxRounds && raise_prices(); ++round) {
+  }
+}
+
+bool AssignmentSolver::raise_prices() {
+  for (const Branch& branch : component_) {
+    double best = 0.0;
+    double other = 0.0;  // of another identity, or none
+    int wanted = -1;
+    for (int i = branch.begin; i < branch.end; ++i) {
+      const Option& option = options_[i];
+      const double worth = priced(option);
+      if (worth > best) {
+        if (option.identity != wanted) other = best;
+        best = worth;
+        wanted = option.identity;
+      } else if (worth > other && option.identity != wanted) {
+        other = worth;
+      }
+    }
+    if (wanted < 0) continue;
+    Demand& demand = demands_[wanted];
+    const double margin = best - other;
+    if (margin > demand.most) {
+      demand.second = demand.most;
+      demand.most = margin;
+    } else {
+      demand.second = std::max(demand.second, margin);
+    }
+  }
+  bool has_raised = false;
+  for (std::size_t identity = 0; identity < demands_.size(); ++identity) {
+    if (demands_[identity].second > kLeastGain) {
+      prices_[identity] += demands_[identity].second;
+      has_raised = true;
+    }
+    demands_[identity] = {};
+  }
+  return has_raised;
+}
+
+double AssignmentSolver::priced(const Option& option) const {
+  return option.identity < 0 ? option.score : option.score - prices_[option.identity];
+}
+
+void AssignmentSolver::sort_by_worth() {
+  by_worth_.resize(options_.size());
+  for (Branch& branch : component_) {
+    for (int i = branch.begin; i < branch.end; ++i) {
+      by_worth_[i] = {priced(options_[i]), options_[i].place, options_[i].identity};
+    }
+    std::sort(by_worth_.begin() + branch.begin, by_worth_.begin() + branch.end,
+              [](const Priced& a, const Priced& b) { return a.worth > b.worth; });
+    branch.priced = std::max(by_worth_[branch.begin].worth, 0.0);
+  }
   double remaining = 0.0;
   for (auto branch = component_.rbegin(); branch != component_.rend(); ++branch) {
-    remaining += branch->best;
+    remaining += branch->priced;
     branch->remaining = remaining;
   }
-  choose_greedily();
-  current_.clear();
-  search(0, 0.0);
-  if (steps_ > step_budget_) ++cut_short_;
 }
 
 void AssignmentSolver::choose_greedily() {
@@ -184,47 +258,55 @@ void AssignmentSolver::choose_greedily() {
   for (const int option : current_) take(options_[option], -1);
 }
 
-void AssignmentSolver::search(std::size_t depth, double score) {
+void AssignmentSolver::search(std::size_t depth, double score, double prices) {
   if (score > best_score_ + kLeastGain) {
     best_score_ = score;
     best_ = current_;
   }
-  if (depth == component_.size() || ++steps_ > step_budget_ || !can_improve(depth, score)) return;
+  if (depth == component_.size() || ++steps_ > step_budget_ ||
+      !can_improve(depth, score + prices)) {
+    return;
+  }
   const Branch& branch = component_[depth];
-  const double below = branch.remaining - branch.best;
+  const double below = branch.remaining - branch.priced;
   for (int i = branch.begin; i < branch.end && steps_ <= step_budget_; ++i) {
     const Option& option = options_[i];
-    if (score + option.score + below <= best_score_ + kLeastGain) return;
-    if (!is_free(option)) continue;
+    if (score + prices + priced(option) + below <= best_score_ + kLeastGain || !is_free(option)) {
+      continue;
+    }
+    const double price = option.identity < 0 ? 0.0 : prices_[option.identity];
     current_.push_back(option.index);
     take(option, 1);
-    search(depth + 1, score + option.score);
+    search(depth + 1, score + option.score, prices - price);
     take(option, -1);
     current_.pop_back();
   }
-  search(depth + 1, score);
+  search(depth + 1, score, prices);
 }
 
-// Whether the best of what is still free in every group would beat the best found so far.
-bool AssignmentSolver::can_improve(std::size_t depth, double score) {
-  const double needed = best_score_ + kLeastGain - score;
+// Whether `bound` and the best of what is still free in every group would beat the best found so
+// far.
+bool AssignmentSolver::can_improve(std::size_t depth, double bound) {
+  const double needed = best_score_ + kLeastGain - bound;
   double possible = 0.0;
   for (std::size_t b = depth; b < component_.size(); ++b) {
     const Branch& branch = component_[b];
     if (possible + branch.remaining <= needed) return false;
+    if (possible > needed) return true;
     for (int i = branch.begin; i < branch.end; ++i) {
       ++steps_;
-      const Option& option = options_[i];
+      const Priced& option = by_worth_[i];
+      if (option.worth <= 0.0) break;
       if (!is_free(option)) continue;
-      possible += option.score;
+      possible += option.worth;
       break;
     }
-    if (possible > needed) return true;
   }
-  return false;
+  return possible > needed;
 }
 
-bool AssignmentSolver::is_free(const Option& option) const {
+template <class AnyOption>
+bool AssignmentSolver::is_free(const AnyOption& option) const {
   return blocked_places_[option.place] == 0 &&
          (option.identity < 0 || !taken_identities_[option.identity]);
 }

@@ -27,7 +27,7 @@ struct Contender {
 class AssignmentSolver {
  public:
   /// @param step_budget contenders looked at in one call of `solve`; bounds its time.
-  explicit AssignmentSolver(int step_budget = 100'000) : step_budget_(step_budget) {}
+  explicit AssignmentSolver(int step_budget = 40'000) : step_budget_(step_budget) {}
 
   /// @param conflicts pairs of places that exclude each other; a pair may occur twice.
   /// @param chosen receives the indices of the contenders chosen, ascending.
@@ -52,7 +52,19 @@ class AssignmentSolver {
     int begin = 0;
     int end = 0;
     double best = 0.0;       ///< Score of the first.
-    double remaining = 0.0;  ///< Sum of `best` from this branch to the component's last.
+    double priced = 0.0;     ///< Most that an option is worth beyond its identity's price.
+    double remaining = 0.0;  ///< Sum of `priced` from this branch to the component's last.
+  };
+  /// What an option is worth beyond its identity's price, in the order of that.
+  struct Priced {
+    double worth = 0.0;
+    int place = 0;
+    int identity = -1;
+  };
+  /// How much more than any other option the two keenest groups would give for an identity.
+  struct Demand {
+    double most = 0.0;
+    double second = 0.0;
   };
 
   /// An option in the order greed goes by.
@@ -71,9 +83,14 @@ class AssignmentSolver {
   void unite(int a, int b);
   void solve_component(std::size_t first_branch, std::size_t last_branch);
   void choose_greedily();
-  void search(std::size_t depth, double score);
-  bool can_improve(std::size_t depth, double score);
-  bool is_free(const Option& option) const;
+  void price_identities();
+  bool raise_prices();
+  double priced(const Option& option) const;
+  void sort_by_worth();
+  void search(std::size_t depth, double score, double prices);
+  bool can_improve(std::size_t depth, double bound);
+  template <class AnyOption>
+  bool is_free(const AnyOption& option) const;
   void take(const Option& option, int step);
 
   int step_budget_;
@@ -91,6 +108,9 @@ class AssignmentSolver {
   std::vector<char> taken_identities_;
   std::span<Branch> component_;  ///< Being solved.
   std::vector<Ranked> by_score_;
+  std::vector<double> prices_;    ///< Of identities.
+  std::vector<Demand> demands_;   ///< For identities.
+  std::vector<Priced> by_worth_;  ///< As `options_`, but each group ordered by worth.
   std::vector<char> taken_groups_;
   std::vector<int> current_;
   std::vector<int> best_;

@@ -116,6 +116,41 @@ TEST(AssignmentSolverTest, AnIdentityGoesToWhomItIsWorthMost) {
   EXPECT_EQ(chosen_by(solver, problem), 0b0110u);
 }
 
+TEST(AssignmentSolverTest, ManyGroupsThatWantOneIdentityAreNoHardCase) {
+  // Each of 60 groups would like one of five identities and can do without. The bound has to know
+  // that an identity is had once, or the search has 2^60 ways to try.
+  constexpr int kGroups = 60;
+  constexpr int kIdentities = 5;
+  std::mt19937 engine(3);
+  std::vector<Contender> contenders;
+  std::array<double, kIdentities> most_gain{};
+  double most = 0.0;
+  for (int group = 0; group < kGroups; ++group) {
+    const int identity = group % kIdentities;
+    const double plain = 10.0 + 0.001 * static_cast<double>(engine() % 1000);
+    const double gain = 8.0 + 0.001 * static_cast<double>(engine() % 1000);
+    contenders.push_back({plain, group, group});
+    contenders.push_back({plain + gain, group, group, identity});
+    double& known = most_gain[static_cast<std::size_t>(identity)];
+    known = std::max(known, gain);
+    most += plain;
+  }
+  most = std::accumulate(most_gain.begin(), most_gain.end(), most);
+  // One conflict a group, with nobody's choice, ties all of them into one component.
+  std::vector<std::pair<int, int>> conflicts;
+  for (int group = 0; group < kGroups; ++group) {
+    contenders.push_back({0.5, group, kGroups + group});
+    conflicts.emplace_back(kGroups + group, (group + 1) % kGroups);
+  }
+  AssignmentSolver solver;
+  std::vector<int> chosen;
+  solver.solve(contenders, conflicts, chosen);
+  double worth = 0.0;
+  for (const int i : chosen) worth += contenders[static_cast<std::size_t>(i)].score;
+  EXPECT_NEAR(worth, most, 1e-9);
+  EXPECT_EQ(solver.cut_short(), 0u);
+}
+
 TEST(AssignmentSolverTest, AHardComponentLeavesTheOthersTheirBudget) {
   // A ring of 60 equal places that exclude their neighbours, and a row of three.
   std::mt19937 engine(5);

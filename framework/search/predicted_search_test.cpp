@@ -149,7 +149,7 @@ TEST_F(PredictedSearchTest, LooksWhereARobotIsGoing) {
 TEST_F(PredictedSearchTest, AFastRobotIsLookedForInALargerPart) {
   see_robot({0, 0});
   const std::size_t at_rest = pixels(*plan_when_settled());
-  search_.forget();
+  search_ = PredictedSearch(kTurns);
   seen_.robots.clear();
   see_robot({0, 0}, {2000, 0});
   EXPECT_GT(pixels(*plan_when_settled()), at_rest);

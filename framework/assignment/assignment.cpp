@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/fill_with_room.hpp"
+
 namespace maggic {
 namespace {
 
@@ -45,21 +47,21 @@ void AssignmentSolver::sort_into_groups(std::span<const Contender> contenders) {
     places = std::max(places, contender.place + 1);
     identities = std::max(identities, contender.identity + 1);
   }
-  group_of_place_.assign(places, -1);
-  group_of_identity_.assign(identities, -1);
-  blocked_places_.assign(places, 0);
-  taken_identities_.assign(identities, 0);
-  prices_.assign(identities, 0.0);
-  demands_.assign(identities, {});
-  taken_groups_.assign(groups, 0);
+  fill_with_room(group_of_place_, places, -1);
+  fill_with_room(group_of_identity_, identities, -1);
+  fill_with_room(blocked_places_, places, 0);
+  fill_with_room(taken_identities_, identities, 0);
+  fill_with_room(prices_, identities, 0.0);
+  fill_with_room(demands_, identities, {});
+  fill_with_room(taken_groups_, groups, 0);
 
   // Counted one group further, so that filling moves every begin to its place.
-  group_begins_.assign(groups + 2, 0);
+  fill_with_room(group_begins_, groups + 2, 0);
   for (const Contender& contender : contenders) {
     if (contender.score > 0.0) ++group_begins_[contender.group + 2];
   }
   std::partial_sum(group_begins_.begin(), group_begins_.end(), group_begins_.begin());
-  options_.resize(group_begins_.back());
+  fill_with_room(options_, group_begins_.back(), {});
   for (int i = 0; i < static_cast<int>(contenders.size()); ++i) {
     const Contender& contender = contenders[i];
     if (contender.score <= 0.0) continue;
@@ -75,13 +77,13 @@ void AssignmentSolver::build_neighbors(std::span<const std::pair<int, int>> conf
     blocked_places_.resize(places, 0);
     group_of_place_.resize(places, -1);
   }
-  neighbor_begins_.assign(blocked_places_.size() + 2, 0);
+  fill_with_room(neighbor_begins_, blocked_places_.size() + 2, 0);
   for (const auto& [a, b] : conflicts) {
     ++neighbor_begins_[a + 2];
     ++neighbor_begins_[b + 2];
   }
   std::partial_sum(neighbor_begins_.begin(), neighbor_begins_.end(), neighbor_begins_.begin());
-  neighbors_.resize(conflicts.size() * 2);
+  fill_with_room(neighbors_, conflicts.size() * 2, 0);
   for (const auto& [a, b] : conflicts) {
     neighbors_[neighbor_begins_[a + 1]++] = b;
     neighbors_[neighbor_begins_[b + 1]++] = a;
@@ -90,7 +92,7 @@ void AssignmentSolver::build_neighbors(std::span<const std::pair<int, int>> conf
 
 void AssignmentSolver::build_components(std::span<const Contender> contenders,
                                         std::span<const std::pair<int, int>> conflicts) {
-  parents_.resize(taken_groups_.size());
+  fill_with_room(parents_, taken_groups_.size(), 0);
   std::iota(parents_.begin(), parents_.end(), 0);
   for (const Contender& contender : contenders) {
     if (contender.score <= 0.0) continue;
@@ -107,7 +109,7 @@ void AssignmentSolver::build_components(std::span<const Contender> contenders,
   }
 
   branches_.clear();
-  component_sizes_.assign(parents_.size(), 0);
+  fill_with_room(component_sizes_, parents_.size(), 0);
   for (int group = 0; group < static_cast<int>(parents_.size()); ++group) {
     const int begin = group_begins_[group];
     const int end = group_begins_[group + 1];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/fill_with_room.hpp"
+
 namespace maggic::tracking {
 
 PlaceConflicts::PlaceConflicts(std::span<const LayoutModel> layouts)
@@ -66,12 +68,12 @@ void PlaceConflicts::find_shared_blobs(const TagBlobs& blobs,
     }
   };
   // Counted one source further, so that filling moves every begin to its place.
-  use_begins_.assign(static_cast<std::size_t>(blobs.source_count()) + 2, 0);
+  fill_with_room(use_begins_, static_cast<std::size_t>(blobs.source_count()) + 2, 0);
   for_each_blob([&](const Footprint&, const MetricBlob& blob) {
     ++use_begins_[static_cast<std::size_t>(blob.source) + 2];
   });
   std::partial_sum(use_begins_.begin(), use_begins_.end(), use_begins_.begin());
-  uses_.resize(static_cast<std::size_t>(use_begins_.back()));
+  fill_with_room(uses_, static_cast<std::size_t>(use_begins_.back()), {});
   for_each_blob([&](const Footprint& footprint, const MetricBlob& blob) {
     int& next = use_begins_[static_cast<std::size_t>(blob.source) + 1];
     uses_[static_cast<std::size_t>(next++)] = {footprint.candidate, footprint.group, blob.parts};

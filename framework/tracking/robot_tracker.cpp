@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fill_with_room.hpp"
 #include "tracking/fit_score.hpp"
 
 namespace maggic::tracking {
@@ -52,8 +53,8 @@ void RobotTracker::track(const TrackerInput& input, double dt_s) {
 }
 
 void RobotTracker::continue_tracks() {
-  taken_.assign(tracks_.size(), 0);
-  sources_.assign(chosen_.size(), -1);
+  fill_with_room(taken_, tracks_.size(), 0);
+  fill_with_room(sources_, chosen_.size(), -1);
   next_.clear();
   // Claims that name their track go first; the others share what is left.
   for (const bool by_motion : {true, false}) {

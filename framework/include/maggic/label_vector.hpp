@@ -7,24 +7,24 @@
 #include <vector>
 
 #include "maggic/palette.hpp"
+#include "maggic/table_memory.hpp"
 
 namespace maggic {
 
-/// Memory that begins with a cache line, and elements that begin with any value: nothing is cleared
-/// that is overwritten right away.
+/// Table memory, and elements that begin with any value: nothing is cleared that is overwritten right
+/// away.
 template <class T>
 struct UnclearedAllocator {
   using value_type = T;
-  static constexpr std::align_val_t kAlignment{64};
 
   UnclearedAllocator() = default;
   template <class U>
   explicit UnclearedAllocator(const UnclearedAllocator<U>& /*other*/) {}
 
   T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kAlignment));
+    return static_cast<T*>(allocate_table_memory(count * sizeof(T)));
   }
-  void deallocate(T* memory, std::size_t /*count*/) { ::operator delete(memory, kAlignment); }
+  void deallocate(T* memory, std::size_t count) { free_table_memory(memory, count * sizeof(T)); }
 
   template <class U>
   void construct(U* element) {

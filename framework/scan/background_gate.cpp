@@ -1,6 +1,8 @@
 #include "scan/background_gate.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace maggic {
 namespace {
@@ -23,6 +25,19 @@ int smallest_spread(const Corner& low) {
   return std::max(0, nearest - (kSide - 1));
 }
 
+// All blocks, by how gray their colours may be: once a gray one has shown a label, few of the
+// others can show one of less spread.
+const std::vector<std::uint16_t>& grayest_first() {
+  static const std::vector<std::uint16_t> order = [] {
+    std::vector<std::uint16_t> blocks(ColorTable::kBlocks);
+    std::iota(blocks.begin(), blocks.end(), std::uint16_t{0});
+    std::ranges::stable_sort(
+        blocks, {}, [](std::uint16_t block) { return smallest_spread(lowest_color(block)); });
+    return blocks;
+  }();
+  return order;
+}
+
 // The smallest spread of a colour of the block that has a label, at most `limit`.
 int smallest_colored_spread(const Corner& low, const Label* labels, int limit) {
   for (int r = low.r; r < low.r + kSide; ++r) {
@@ -40,7 +55,7 @@ int smallest_colored_spread(const Corner& low, const Label* labels, int limit) {
 
 BackgroundGate::BackgroundGate(const ColorTable& table) {
   first_.fill(255);
-  for (std::size_t block = 0; block < ColorTable::kBlocks; ++block) {
+  for (const std::uint16_t block : grayest_first()) {
     const Label* labels = table.block(block);
     const Corner low = lowest_color(block);
     // All colours of a block share the sixteenth: its side divides 16, and the largest channel is

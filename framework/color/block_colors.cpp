@@ -8,6 +8,7 @@
 
 #include "color/color_cell.hpp"
 #include "maggic/color_table.hpp"
+#include "maggic/vectorized.hpp"
 
 namespace maggic {
 namespace {
@@ -29,13 +30,14 @@ constexpr Steps kBlueSteps = steps_of(ColorTable::within_block(1, 0, 0));
 constexpr Steps kGreenSteps = steps_of(ColorTable::within_block(0, 1, 0));
 constexpr Steps kRedSteps = steps_of(ColorTable::within_block(0, 0, 1));
 
-void write_channel(std::uint8_t lowest, const Steps& steps, std::uint8_t* __restrict out) {
+MAGGIC_VECTORIZED void write_channel(std::uint8_t lowest, const Steps& steps,
+                                     std::uint8_t* __restrict out) {
   for (std::size_t i = 0; i < kColorsPerBlock; ++i) {
     out[i] = static_cast<std::uint8_t>(lowest + steps[i]);
   }
 }
 
-Label highest_label(std::span<const Label> labels) {
+MAGGIC_VECTORIZED Label highest_label(std::span<const Label> labels) {
   Label highest = 0;
   for (const Label label : labels) highest = label > highest ? label : highest;
   return highest;

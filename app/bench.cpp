@@ -105,6 +105,13 @@ class Bench {
  private:
   BuiltPipeline build() { return build_pipeline(request_, registry_, reporter_); }
 
+  /// The same pipeline, so many threads sharing the rows of a frame.
+  BuiltPipeline build(unsigned threads) {
+    PipelineRequest request = request_;
+    request.assignments.push_back(fmt::format("scan.threads={}", threads));
+    return build_pipeline(request, registry_, reporter_);
+  }
+
   void tell(std::string_view phase) {
     if (console_.is_terminal()) console_.live(fmt::format("{} …", phase));
   }
@@ -116,7 +123,8 @@ class Bench {
     report.source = source_.value_or(built_.source.name);
     report.frames = options_.frames;
     report.machine = describe_machine();
-    report.threads = options_.threads.value_or(report.machine.cores);
+    report.threads =
+        options_.threads.value_or(std::min(report.machine.cores, BenchOptions::kMostThreads));
     report.simd_target = simd_target();
 
     tell("taking frames into memory");
@@ -151,16 +159,23 @@ class Bench {
   }
 
   void measure_rates(const FrameStore& store, SpeedReport& report) {
-    std::vector<Pipeline*> pipelines{built_.pipeline.get()};
-    report.frames_per_second_alone = measure_throughput(pipelines, store, options_.frames);
-    report.frames_per_second_in_threads = report.frames_per_second_alone;
+    const auto rate_of = [&](const std::vector<BuiltPipeline>& built) {
+      std::vector<Pipeline*> pipelines;
+      pipelines.reserve(built.size());
+      for (const BuiltPipeline& one : built) pipelines.push_back(one.pipeline.get());
+      return measure_throughput(pipelines, store, options_.frames);
+    };
+    std::vector<BuiltPipeline> alone;
+    alone.push_back(build(1));
+    report.throughput.one_thread_fps = rate_of(alone);
+    report.throughput.threads_fps = report.throughput.one_thread_fps;
+    report.throughput.pipelines_fps = report.throughput.one_thread_fps;
     if (report.threads == 1) return;
-    std::vector<BuiltPipeline> others;
-    while (pipelines.size() < report.threads) {
-      others.push_back(build());
-      pipelines.push_back(others.back().pipeline.get());
-    }
-    report.frames_per_second_in_threads = measure_throughput(pipelines, store, options_.frames);
+    std::vector<BuiltPipeline> shared;
+    shared.push_back(build(report.threads));
+    report.throughput.threads_fps = rate_of(shared);
+    while (alone.size() < report.threads) alone.push_back(build(1));
+    report.throughput.pipelines_fps = rate_of(alone);
   }
 
   /// No more than a slow source gives in a few seconds.

@@ -70,10 +70,9 @@ std::string frame_path_text(const SpeedReport& report) {
          fmt::format(
              "  {:.0f} runs, {:.1f} blobs, {:.1f} robots a frame\n"
              "The floor reads every byte of the frame and writes one byte a pixel with vector\n"
-             "instructions; the plain table looks every pixel up in 16 MiB of labels. Both, and "
-             "the\n"
-             "frame path, run in turn on each frame on one thread, caches evicted before each.\n"
-             "ns a pixel and × floor are of the medians.\n",
+             "instructions; the plain table looks every pixel up in 16 MiB of labels. Both, on\n"
+             "one thread, and the frame path run in turn on each frame, caches evicted before\n"
+             "each. ns a pixel and × floor are of the medians.\n",
              speed.runs_a_frame, speed.blobs_a_frame, speed.robots_a_frame);
 }
 
@@ -97,11 +96,14 @@ std::string table_text(const SpeedReport& report) {
 
 std::string rates_text(const SpeedReport& report) {
   const LatencySpeed& latency = report.latency;
-  std::string text = fmt::format("throughput  {:.0f} frames a second, 1 pipeline on 1 thread\n",
-                                 report.frames_per_second_alone);
+  const Throughput& rates = report.throughput;
+  std::string text =
+      fmt::format("throughput  {:.0f} frames a second on 1 thread\n", rates.one_thread_fps);
   if (report.threads > 1) {
-    text += fmt::format("            {:.0f} frames a second, {} pipelines on a thread each\n",
-                        report.frames_per_second_in_threads, report.threads);
+    text += fmt::format(
+        "            {:.0f} frames a second, {} threads sharing each frame\n"
+        "            {:.0f} frames a second, {} pipelines on a thread each\n",
+        rates.threads_fps, report.threads, rates.pipelines_fps, report.threads);
   }
   text += fmt::format(
       "latency     {} ms (p50), {} ms (p99) from capture to detections through the run loop,\n"

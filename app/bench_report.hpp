@@ -13,6 +13,13 @@
 
 namespace maggic::app {
 
+/// Frames a second.
+struct Throughput {
+  double one_thread_fps = 0.0;  ///< One pipeline, one thread.
+  double threads_fps = 0.0;     ///< One pipeline, the rows of a frame shared by the threads.
+  double pipelines_fps = 0.0;   ///< As many pipelines as threads, each on one, in all.
+};
+
 struct SpeedReport {
   std::string pipeline;
   std::optional<std::string> calibration;
@@ -26,8 +33,7 @@ struct SpeedReport {
   FramePathSpeed frame_path;
   std::optional<TableSpeed> table;
   std::string update;  ///< What was changed before the table was compiled again.
-  double frames_per_second_alone = 0.0;
-  double frames_per_second_in_threads = 0.0;
+  Throughput throughput;
   LatencySpeed latency;
 };
 

@@ -141,7 +141,7 @@ void describe_bench(CLI::App& command, BenchOptions& bench) {
   command
       .add_option("--threads", bench.threads,
                   "Threads of what is measured with several (default: one per core)")
-      ->transform(within(1U, 256U, "a whole number from 1 to 256"));
+      ->transform(within(1U, BenchOptions::kMostThreads, "a whole number from 1 to 64"));
   command.add_option("--json", bench.json, "Write every figure here");
 }
 

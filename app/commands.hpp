@@ -69,9 +69,11 @@ struct CompareOptions {
 };
 
 struct BenchOptions {
+  static constexpr unsigned kMostThreads = 64;  ///< As many as `scan.threads` takes.
+
   PipelineOptions pipeline{.pipeline = "maggic_3v3"};
   std::uint64_t frames = 300;
-  std::optional<unsigned> threads;  ///< Left out: one per core.
+  std::optional<unsigned> threads;  ///< Left out: one per core, as far as may be.
   std::optional<std::filesystem::path> json;
 };
 

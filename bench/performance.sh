@@ -117,16 +117,16 @@ if ((${#clips[@]} > 0)); then
 fi
 
 threads=$(value threads)
-printf '\n| pipeline | compile ms, 1 thread | compile ms, %s threads | update ms | what is updated | copy of 16 MiB ms | fps, 1 thread | fps, %s pipelines | latency p50 ms | latency p99 ms |\n' \
-  "$threads" "$threads"
-printf '|---|--:|--:|--:|---|--:|--:|--:|--:|--:|\n'
+printf '\n| pipeline | compile ms, 1 thread | compile ms, %s threads | update ms | what is updated | copy of 16 MiB ms | fps, 1 thread | fps, %s threads | fps, %s pipelines | latency p50 ms | latency p99 ms |\n' \
+  "$threads" "$threads" "$threads"
+printf '|---|--:|--:|--:|---|--:|--:|--:|--:|--:|--:|\n'
 for file in pipelines/*.yaml; do
   pipeline=$(basename "$file" .yaml)
   measure "$pipeline" "$pipeline" --source synthetic || continue
-  printf '| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n' "$pipeline" "$(ms table_compile_ms)" \
+  printf '| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n' "$pipeline" "$(ms table_compile_ms)" \
     "$(ms table_compile_threads_ms)" "$(ms table_update_ms)" \
     "$(sed -n 's/.*"table_update": *"\(.*\)".*/\1/p' "$work/report.json")" "$(ms memcpy_16mib_ms)" \
-    "$(cell '%.0f' "$(value one_thread_fps)")" "$(cell '%.0f' "$(value threads_fps)")" \
+    "$(cell '%.0f' "$(value one_thread_fps)")" "$(cell '%.0f' "$(value threads_fps)")" "$(cell '%.0f' "$(value pipelines_fps)")" \
     "$(ms capture_to_detection_ms)" "$(ms capture_to_detection_ms p99)"
 done
 

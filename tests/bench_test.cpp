@@ -76,6 +76,7 @@ TEST_F(BenchTest, MeasuresTheShippedPipelineWhenNoneIsNamed) {
   EXPECT_EQ(json.at("ratios_to_floor").at("floor_cold"), 1.0);
   EXPECT_GT(json.at("throughput").at("one_thread_fps"), 0.0);
   EXPECT_GT(json.at("throughput").at("threads_fps"), 0.0);
+  EXPECT_GT(json.at("throughput").at("pipelines_fps"), 0.0);
   EXPECT_EQ(json.at("frame_size_px"), Json({640, 480}));
   EXPECT_EQ(json.at("frames"), 3);
   EXPECT_EQ(json.at("threads"), 2);

@@ -19,7 +19,8 @@
 
 namespace maggic {
 
-/// Every time is of one frame, cold, on the calling thread.
+/// Every time is of one frame, cold. Yardsticks run on the calling thread, the frame path on as
+/// many as the pipeline is configured to use.
 struct FramePathSpeed {
   /// Reading all bytes of a picture and writing a byte a pixel, with vector instructions: what no
   /// method that looks at every pixel can go below.

@@ -153,6 +153,11 @@ TEST_F(BrokenPlugin, NormalizerWithBoundsThatAreTooNarrow) {
               ElementsAre(AllOf(StartsWith("the bounds of B "), HasSubstr(", but B "))));
 }
 
+TEST_F(BrokenPlugin, NormalizerWhoseBoundsHoldForCubesAlone) {
+  EXPECT_THAT(testing::check_conformance(StageKind::kNormalizer, "cubes_only_normalizer"),
+              ElementsAre(AllOf(StartsWith("the bounds of B "), HasSubstr(", but B "))));
+}
+
 TEST_F(BrokenPlugin, SegmenterThatTakesOneColorForAllOfABox) {
   EXPECT_THAT(testing::check_conformance(StageKind::kSegmenter, "hasty_segmenter"),
               ElementsAre(AllOf(StartsWith("label_of gives B "), HasSubstr("but segment gives B "))));

@@ -37,7 +37,7 @@ class RandomBoxes {
   int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
 
   ChannelRange range() {
-    const auto [first, last] = std::minmax(within({}), within({}));
+    const auto [first, last] = std::minmax({within({}), within({})});
     return {first, last};
   }
 

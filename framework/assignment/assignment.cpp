@@ -64,7 +64,7 @@ void AssignmentSolver::sort_into_groups(std::span<const Contender> contenders) {
   fill_with_room(options_, group_begins_.back(), {});
   for (int i = 0; i < static_cast<int>(contenders.size()); ++i) {
     const Contender& contender = contenders[i];
-    if (contender.score <= 0.0) continue;
+    if (!(contender.score > 0.0)) continue;
     int& next = group_begins_[contender.group + 1];
     options_[next++] = {contender.score, contender.place, contender.identity, i};
   }
@@ -95,7 +95,7 @@ void AssignmentSolver::build_components(std::span<const Contender> contenders,
   fill_with_room(parents_, taken_groups_.size(), 0);
   std::iota(parents_.begin(), parents_.end(), 0);
   for (const Contender& contender : contenders) {
-    if (contender.score <= 0.0) continue;
+    if (!(contender.score > 0.0)) continue;
     group_of_place_[contender.place] = contender.group;
     if (contender.identity < 0) continue;
     int& group = group_of_identity_[contender.identity];

@@ -10,7 +10,7 @@ namespace maggic {
 
 /// One of the things to choose from; some of them exclude each other.
 struct Contender {
-  double score = 0.0;  ///< Its worth; contenders of 0 or less are never chosen.
+  double score = 0.0;  ///< Its worth; those of 0 or less, or NaN, are never chosen.
   /// From 0; at most one contender of a group is chosen. Groups are what the search branches on:
   /// few and large ones make it fast.
   int group = 0;

@@ -99,6 +99,13 @@ RC_GTEST_PROP(AssignmentSolverTest, IsAsGoodAsTryingEverything, ()) {
   RC_ASSERT(solver.cut_short() == 0u);
 }
 
+TEST(AssignmentSolverTest, NeverChoosesAContenderWhoseWorthIsNoNumber) {
+  AssignmentSolver solver;
+  const double no_number = std::nan("");
+  const Problem problem{{{no_number, 0, 0}, {2.0, 0, 1}, {no_number, 1, 2}, {no_number, 2, 3}}, {}};
+  EXPECT_EQ(chosen_by(solver, problem), 0b0010u);
+}
+
 TEST(AssignmentSolverTest, GivesUpTheBestPairWhenTwoOthersAreWorthMore) {
   AssignmentSolver solver;
   EXPECT_EQ(chosen_by(solver, three_in_a_row()), 0b101u);

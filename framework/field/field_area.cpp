@@ -65,17 +65,25 @@ ScanArea field_area(const Field& field, double margin_mm) {
   const double y = parameters.width_mm / 2.0 + margin_mm;
   const std::array<cv::Point2d, 5> outline{{{-x, y}, {x, y}, {x, -y}, {-x, -y}, {-x, y}}};
   RowExtents extents(field.frame_size_px());
-  for (const double height_mm : {0.0, std::max(field.robot_height_mm(), field.ball_height_mm())}) {
-    cv::Point2d last = field.to_image_px(outline.front(), height_mm);
-    for (std::size_t side = 0; side + 1 < outline.size(); ++side) {
-      for (int step = 1; step <= kStepsPerSide; ++step) {
-        const double share = static_cast<double>(step) / kStepsPerSide;
-        const cv::Point2d next = field.to_image_px(
-            outline[side] + share * (outline[side + 1] - outline[side]), height_mm);
-        extents.add_line(last, next);
-        last = next;
-      }
+  const auto add_side = [&](cv::Point2d from_mm, cv::Point2d to_mm, double from_height_mm,
+                            double to_height_mm) {
+    cv::Point2d last = field.to_image_px(from_mm, from_height_mm);
+    for (int step = 1; step <= kStepsPerSide; ++step) {
+      const double share = static_cast<double>(step) / kStepsPerSide;
+      const cv::Point2d next =
+          field.to_image_px(from_mm + share * (to_mm - from_mm),
+                            from_height_mm + share * (to_height_mm - from_height_mm));
+      extents.add_line(last, next);
+      last = next;
     }
+  };
+  const double top_mm = std::max(field.robot_height_mm(), field.ball_height_mm());
+  for (std::size_t side = 0; side + 1 < outline.size(); ++side) {
+    for (const double height_mm : {0.0, top_mm}) {
+      add_side(outline[side], outline[side + 1], height_mm, height_mm);
+    }
+    // To a camera beside the field the upright edges stand out between floor and top.
+    add_side(outline[side], outline[side], 0.0, top_mm);
   }
   return extents.area();
 }

@@ -62,12 +62,32 @@ TEST(FieldArea, IsEmptyWhereTheFieldIsOutOfThePicture) {
   EXPECT_TRUE(field_area(Field(parameters, kSize), 100.0).empty());
 }
 
+TEST(FieldArea, HoldsTagsOfEveryHeightAboveTheCornersForACameraBesideTheField) {
+  FieldParameters parameters = seen_from_above();
+  parameters.robot_height_mm = 200.0;
+  parameters.camera_position_mm = {-2500.0, 650.0};
+  const Field field(parameters, kSize);
+  const ScanArea area = field_area(field, 0.0);
+  for (const cv::Point2d corner :
+       {cv::Point2d(-750.0, 650.0), {750.0, 650.0}, {750.0, -650.0}, {-750.0, -650.0}}) {
+    for (double height_mm = 0.0; height_mm <= 200.0; height_mm += 10.0) {
+      const cv::Point2d tag = field.to_image_px(corner, height_mm);
+      if (!cv::Rect2d({}, kSize).contains(tag)) continue;
+      EXPECT_TRUE(holds(area, {cvRound(tag.x), cvRound(tag.y)}))
+          << corner.x << ", " << corner.y << " at " << height_mm;
+    }
+  }
+}
+
 RC_GTEST_PROP(FieldArea, HoldsEveryPixelThatSeesTheFieldThroughAnyLens, ()) {
   FieldParameters parameters = seen_from_above();
   for (cv::Point2d& corner : parameters.corners_px) {
     corner += cv::Point2d(*rc::gen::inRange(-40, 40), *rc::gen::inRange(-40, 40));
   }
   parameters.lens_k1 = *rc::gen::inRange(-30, 10) / 100.0;
+  // Above the field or beside it.
+  parameters.camera_position_mm = {*rc::gen::inRange(-3000, 3001) * 1.0,
+                                   *rc::gen::inRange(-3000, 3001) * 1.0};
   const Field field(parameters, kSize);
   const double margin_mm = *rc::gen::inRange(0, 300);
   const ScanArea area = field_area(field, margin_mm);

@@ -70,7 +70,7 @@ constexpr std::size_t index_of(std::uint32_t b, std::uint32_t g, std::uint32_t r
 void join_channels(const cv::Mat& bgr, cv::Mat& ors) {
   CV_Assert(bgr.type() == CV_8UC3);
   ors.create(bgr.size(), CV_8UC1);
-  const bool in_one = bgr.isContinuous();
+  const bool in_one = bgr.isContinuous() && ors.isContinuous();
   const int rows = in_one ? 1 : bgr.rows;
   const std::size_t pixels = in_one ? bgr.total() : static_cast<std::size_t>(bgr.cols);
   for (int y = 0; y < rows; ++y) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <opencv2/core.hpp>
 
 #include "pipeline/fake_stages_for_tests.hpp"
 
@@ -16,9 +17,7 @@ cv::Mat padded_noise(int width, int height) {
   return whole(cv::Rect(2, 1, width, height));
 }
 
-void expect_joined(const cv::Mat& bgr) {
-  cv::Mat ors;
-  join_channels(bgr, ors);
+void expect_ors(const cv::Mat& bgr, const cv::Mat& ors) {
   ASSERT_EQ(ors.size(), bgr.size());
   for (int y = 0; y < bgr.rows; ++y) {
     for (int x = 0; x < bgr.cols; ++x) {
@@ -32,9 +31,20 @@ TEST(Yardsticks, JoinEveryPixelsChannelsAtAnyWidth) {
   for (const int width : {1, 15, 16, 63, 64, 65, 200, 333}) {
     for (const bool padded : {true, false}) {
       const cv::Mat bgr = padded ? padded_noise(width, 3) : padded_noise(width, 3).clone();
-      expect_joined(bgr);
+      cv::Mat ors;
+      join_channels(bgr, ors);
+      expect_ors(bgr, ors);
     }
   }
+}
+
+TEST(Yardsticks, JoinChannelsIntoRowsThatArePadded) {
+  const cv::Mat bgr = padded_noise(64, 3).clone();
+  cv::Mat whole(3, 80, CV_8UC1, cv::Scalar(7));
+  cv::Mat ors = whole(cv::Rect(0, 0, 64, 3));
+  join_channels(bgr, ors);
+  expect_ors(bgr, ors);
+  EXPECT_EQ(cv::countNonZero(whole(cv::Rect(64, 0, 16, 3)) != 7), 0);
 }
 
 TEST(Yardsticks, LookUpWhatTheTableSays) {

@@ -16,7 +16,6 @@ namespace {
 
 // Highway's bits: a smaller one stands for a wider set.
 std::vector<std::int64_t> available() {
-  hwy::SetSupportedTargetsForTest(0);
   const std::int64_t supported = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
   std::vector<std::int64_t> targets;
   for (std::int64_t rest = supported; rest != 0; rest &= rest - 1) targets.push_back(rest & -rest);

@@ -122,6 +122,7 @@ class Bench {
     if (request_.calibration) report.calibration = request_.calibration->string();
     report.source = source_.value_or(built_.source.name);
     report.frames = options_.frames;
+    report.scan = built_.pipeline->parts().scan;
     report.machine = describe_machine();
     report.threads =
         options_.threads.value_or(std::min(report.machine.cores, BenchOptions::kMostThreads));

@@ -53,6 +53,7 @@ std::string speed_json(const SpeedReport& report) {
       {"frame_size_px", {report.frame_size_px.width, report.frame_size_px.height}},
       {"frames", report.frames},
       {"frames_from_source", report.frames_from_source},
+      {"scan", {{"threads", report.scan.threads}, {"search", name_of(report.scan.search)}}},
       {"threads", report.threads},
       {"simd_target", report.simd_target},
       {"machine",

@@ -44,7 +44,10 @@ std::string title_of(const SpeedReport& report) {
   if (machine.last_level_cache_bytes > 0) {
     text += fmt::format(", last level cache {} MiB", machine.last_level_cache_bytes / kMebi);
   }
-  return text + fmt::format(", vector instructions {}\n", report.simd_target);
+  return text + fmt::format(", vector instructions {}\none frame by {}, search {}\n",
+                            report.simd_target,
+                            counted(static_cast<std::size_t>(report.scan.threads), "thread"),
+                            name_of(report.scan.search));
 }
 
 std::string frame_path_text(const SpeedReport& report) {
@@ -72,7 +75,7 @@ std::string frame_path_text(const SpeedReport& report) {
              "The floor reads every byte of the frame and writes one byte a pixel with vector\n"
              "instructions; the plain table looks every pixel up in 16 MiB of labels. Both, on\n"
              "one thread, and the frame path run in turn on each frame, caches evicted before\n"
-             "each. ns a pixel and × floor are of the medians.\n",
+             "each (all other figures: as they come). ns a pixel and × floor are of the medians.\n",
              speed.runs_a_frame, speed.blobs_a_frame, speed.robots_a_frame);
 }
 
@@ -114,6 +117,10 @@ std::string rates_text(const SpeedReport& report) {
 }
 
 }  // namespace
+
+std::string_view name_of(ScanParameters::Search search) {
+  return search == ScanParameters::Search::kPredicted ? "predicted" : "full";
+}
 
 std::string speed_text(const SpeedReport& report) {
   return fmt::format("{}\n{}\n{}\n{}", title_of(report), frame_path_text(report),

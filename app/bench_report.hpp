@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <opencv2/core/types.hpp>
 
 #include "maggic/machine_description.hpp"
+#include "maggic/scan_parameters.hpp"
 #include "maggic/speed_measurement.hpp"
 
 namespace maggic::app {
@@ -27,6 +29,7 @@ struct SpeedReport {
   cv::Size frame_size_px;
   std::uint64_t frames = 0;            ///< Measured.
   std::size_t frames_from_source = 0;  ///< Distinct ones; the others are copies of these.
+  ScanParameters scan;                 ///< Of the pipeline.
   unsigned threads = 1;                ///< Of what is measured with several.
   std::string simd_target;
   MachineDescription machine;
@@ -39,6 +42,9 @@ struct SpeedReport {
 
 /// Tables, and the sentences needed to read them.
 std::string speed_text(const SpeedReport& report);
+
+/// "full" or "predicted".
+std::string_view name_of(ScanParameters::Search search);
 
 /// Ends with a newline. The keys are documented in docs/performance.md and stay as they are.
 std::string speed_json(const SpeedReport& report);

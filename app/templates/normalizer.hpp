@@ -66,8 +66,12 @@ std::array<std::uint8_t, 3> normalized(std::array<std::uint8_t, 3> bgr, const ch
 }
 
 TEST(@CLASS@, KeepsTheContractOfANormalizer) {
-  EXPECT_THAT(maggic::testing::check_conformance(maggic::StageKind::kNormalizer, "@NAME@"),
-              ::testing::IsEmpty());
+  // With other parameters too: what holds for the defaults alone is found out late.
+  for (const char* yaml : {"", "gain: 0.5", "gain: 3"}) {
+    EXPECT_THAT(maggic::testing::check_conformance(maggic::StageKind::kNormalizer, "@NAME@", yaml),
+                ::testing::IsEmpty())
+        << yaml;
+  }
 }
 
 TEST(@CLASS@, MultipliesEveryChannel) {

@@ -66,8 +66,12 @@ std::string_view color_of(std::array<std::uint8_t, 3> bgr, const char* yaml) {
 }
 
 TEST(@CLASS@, KeepsTheContractOfASegmenter) {
-  EXPECT_THAT(maggic::testing::check_conformance(maggic::StageKind::kSegmenter, "@NAME@"),
-              ::testing::IsEmpty());
+  // With other parameters too: what holds for the defaults alone is found out late.
+  for (const char* yaml : {"", "color: blue"}) {
+    EXPECT_THAT(maggic::testing::check_conformance(maggic::StageKind::kSegmenter, "@NAME@", yaml),
+                ::testing::IsEmpty())
+        << yaml;
+  }
 }
 
 TEST(@CLASS@, LabelsWhatIsRedEnough) {

@@ -49,8 +49,14 @@ double measure_throughput(std::span<Pipeline* const> pipelines, const FrameStore
       return Shift{began, Clock::now()};
     };
     std::vector<std::future<Shift>> workers;
-    for (std::size_t k = 0; k < pipelines.size(); ++k) {
-      workers.push_back(std::async(std::launch::async, work, k));
+    try {
+      for (std::size_t k = 0; k < pipelines.size(); ++k) {
+        workers.push_back(std::async(std::launch::async, work, k));
+      }
+    } catch (...) {
+      // The threads that did start wait for the others, and leaving waits for them.
+      start.count_down(static_cast<std::ptrdiff_t>(pipelines.size() - workers.size()));
+      throw;
     }
     std::vector<Shift> shifts;
     shifts.reserve(workers.size());

@@ -6,12 +6,19 @@ namespace maggic {
 
 BandWorkers::BandWorkers(std::size_t bands) : failures_(bands) {
   threads_.reserve(bands - 1);
-  for (std::size_t band = 1; band < bands; ++band) {
-    threads_.emplace_back([this, band] { serve(band); });
+  try {
+    for (std::size_t band = 1; band < bands; ++band) {
+      threads_.emplace_back([this, band] { serve(band); });
+    }
+  } catch (...) {
+    stop();  // Those that did start.
+    throw;
   }
 }
 
-BandWorkers::~BandWorkers() {
+BandWorkers::~BandWorkers() { stop(); }
+
+void BandWorkers::stop() {
   {
     const std::lock_guard lock(mutex_);
     stopping_ = true;

@@ -35,6 +35,7 @@ class BandWorkers {
   void run_erased(Function function, void* context);
   void serve(std::size_t band);
   void do_band(std::size_t band);
+  void stop();
 
   std::mutex mutex_;
   std::condition_variable begun_;

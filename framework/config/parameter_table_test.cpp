@@ -111,5 +111,37 @@ TEST(ParameterTable, ShowsColourMapsWithAPlaceholderForTheColour) {
                           "hues.<color>; integer; {red: 7}; 0 … 255; ; pivot"));
 }
 
+TEST(ParameterValues, AreWhatWouldBeReadAsTheSame) {
+  const Label red = *Palette::standard().find("red");
+  struct Settings {
+    int threshold = 40;
+    std::optional<double> height;
+    std::string name = "12";
+    std::vector<std::pair<Label, std::vector<int>>> pivots;
+
+    void describe(Parameters& p) {
+      p.integer({"threshold", "limit"}, threshold, {0, 255});
+      p.number({"height", "above"}, height, {0, 10});
+      p.text({"name", "called"}, name);
+      p.by_color({"pivots", "hues"}, pivots, {0, 9}, [](Parameters& color, std::vector<int>& hues) {
+        color.list({"", "hues"}, hues, {1, 9},
+                   [](Parameters& e, int& hue) { e.integer({"", "hue"}, hue, {0, 255}); });
+      });
+    }
+  };
+  Settings settings{.threshold = 7, .height = 2.5, .pivots = {{red, {250, 3}}}};
+  const Node values =
+      parameter_values(Palette::standard(), [&](Parameters& p) { settings.describe(p); });
+  Settings read;
+  std::vector<Mistake> mistakes;
+  read_parameters(parse_document(to_yaml(values), "values"), Palette::standard(),
+                  [&](Parameters& p) { read.describe(p); }, mistakes);
+  EXPECT_THAT(mistakes, ::testing::IsEmpty());
+  EXPECT_EQ(read.threshold, 7);
+  EXPECT_EQ(read.height, 2.5);
+  EXPECT_EQ(read.name, "12");
+  EXPECT_EQ(read.pivots, settings.pivots);
+}
+
 }  // namespace
 }  // namespace maggic

@@ -165,4 +165,10 @@ std::vector<ParameterRow> parameter_table(const Palette& palette, const Describe
   return printer.take_rows();
 }
 
+Node parameter_values(const Palette& palette, const Describe& describe) {
+  TablePrinter printer("", palette);
+  describe(printer);
+  return printer.take_defaults();
+}
+
 }  // namespace maggic

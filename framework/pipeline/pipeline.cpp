@@ -97,6 +97,13 @@ FrameOutcome Pipeline::process(FrameResult& result) {
   return FrameOutcome::kProcessed;
 }
 
+void Pipeline::continue_from(Pipeline& predecessor) {
+  std::swap(parts_.tracker, predecessor.parts_.tracker);
+  std::swap(light_follower_, predecessor.light_follower_);
+  // Into the follower, whose place has changed.
+  channel_gains_ = nullptr;
+}
+
 void Pipeline::warn_of_short_runs(int shortest_px) {
   fmt::memory_buffer message;  // holds this much without allocating
   fmt::format_to(std::back_inserter(message),

@@ -74,7 +74,9 @@ RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomi
 
   // Declared before the threads that use them, so they outlive those.
   FramePool pool(slots_for(built.sinks.size(), options.sink_queue_frames));
-  const RunInfo info{built.pipeline->palette(), summary.source};
+  // A copy: whoever runs it may exchange the pipeline between two frames.
+  const Palette palette = built.pipeline->palette();
+  const RunInfo info{palette, summary.source};
   std::vector<std::unique_ptr<SinkThread>> sinks;
   for (NamedStage<Sink>& sink : built.sinks) {
     sinks.push_back(std::make_unique<SinkThread>(sink, info, options.sink_queue_frames, reporter));

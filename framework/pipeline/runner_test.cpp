@@ -172,6 +172,39 @@ TEST(RunRecorded, StagesAndSinksAreGivenThePictureItselfNotACopy) {
   EXPECT_EQ(written, made);
 }
 
+TEST(RunRecorded, ThePipelineMayBeExchangedBetweenTwoFrames) {
+  Rig rig(10);
+  Rig other(0);
+  std::vector<std::uint64_t> tracked;
+  rig.tracker->at_frame = [&](std::uint64_t sequence) { tracked.push_back(sequence); };
+  std::vector<std::uint64_t> tracked_by_other;
+  other.tracker->at_frame = [&](std::uint64_t n) { tracked_by_other.push_back(n); };
+  const std::atomic<bool> stop{false};
+  const auto exchange_after_3 = [&](const FrameResult& result, const RunSummary&) {
+    if (result.frame.sequence == 3) rig.built.pipeline.swap(other.built.pipeline);
+  };
+  EXPECT_TRUE(run(rig.built, {}, stop, rig.reporter, exchange_after_3).clean());
+  EXPECT_EQ(rig.sinks[0]->sequences, first(10));
+  EXPECT_THAT(tracked, ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(tracked_by_other, ElementsAre(4, 5, 6, 7, 8, 9));
+}
+
+TEST(RunRecorded, APipelineThatContinuesFromAnotherKeepsItsTracker) {
+  Rig rig(6);
+  Rig next(0);
+  std::vector<std::uint64_t> tracked;
+  rig.tracker->at_frame = [&](std::uint64_t sequence) { tracked.push_back(sequence); };
+  const std::atomic<bool> stop{false};
+  const auto exchange_after_3 = [&](const FrameResult& result, const RunSummary&) {
+    if (result.frame.sequence != 3) return;
+    next.built.pipeline->continue_from(*rig.built.pipeline);
+    rig.built.pipeline.swap(next.built.pipeline);
+    next.built.pipeline.reset();
+  };
+  EXPECT_TRUE(run(rig.built, {}, stop, rig.reporter, exchange_after_3).clean());
+  EXPECT_EQ(tracked, first(6));
+}
+
 TEST(RunLive, NewestFrameWinsAndDropsAreCounted) {
   Rig rig(50);
   rig.source->live = true;

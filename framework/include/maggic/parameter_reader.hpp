@@ -43,4 +43,8 @@ struct ParameterRow {
 
 std::vector<ParameterRow> parameter_table(const Palette& palette, const Describe& describe);
 
+/// What `describe` holds now, as a map that read_parameters would make the same of; null when it
+/// declares nothing. Texts that look like numbers are not quoted until to_yaml writes them.
+Node parameter_values(const Palette& palette, const Describe& describe);
+
 }  // namespace maggic

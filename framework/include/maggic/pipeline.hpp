@@ -82,6 +82,10 @@ class Pipeline {
   ///   when a step between the stages fails; the pipeline can go on with the next frame.
   FrameOutcome process(FrameResult& result);
 
+  /// Goes on where `predecessor` stands, which is not used any more: takes its tracker with all it
+  /// remembers, and the light it has followed. For a pipeline that differs in other stages only.
+  void continue_from(Pipeline& predecessor);
+
   /// The transform for the latest processed frame's size; null before the first frame. Shared
   /// because sinks still work on a frame of the old size when a new one arrives.
   const std::shared_ptr<const Field>& field() const { return field_; }

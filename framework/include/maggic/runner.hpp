@@ -61,7 +61,8 @@ struct RunSummary {
 /// Runs a built pipeline to the source's end, to a limit of `options`, or until `stop` becomes
 /// true.
 /// @param on_frame called on the frame path's thread after each processed frame (detections are
-///   in `result`); keep it short. May be empty.
+///   in `result`); keep it short. May be empty. It may put another pipeline, with the same palette,
+///   into `built.pipeline`: the next frame goes through that one.
 /// @throws nothing of a stage or the frame path: all of that is in the summary.
 RunSummary run(BuiltPipeline& built, const RunOptions& options, const std::atomic<bool>& stop,
                Reporter& reporter,

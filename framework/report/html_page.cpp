@@ -1,9 +1,8 @@
 #include "report/html_page.hpp"
 
-#include <cstdint>
-
 #include <fmt/format.h>
 
+#include "maggic/base64.hpp"
 #include "report/svg_canvas.hpp"
 
 namespace maggic {
@@ -39,25 +38,6 @@ table.pictures { width: 100%; min-width: 40rem; }
 table.pictures th, table.pictures td, table.pictures th:first-child { text-align: center;
   vertical-align: middle; min-width: 0; border: 0; padding: 0.2rem; white-space: normal; }
 )";
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_there = i + k < bytes.size();
-      group = group << 8 | (is_there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-      const bool is_padding = i + k > bytes.size();
-      text += is_padding ? '=' : kDigits[group >> (18 - 6 * k) & 63];
-    }
-  }
-  return text;
-}
 
 }  // namespace
 

@@ -15,6 +15,7 @@ class BadRequest : public std::runtime_error {
   /// Answers `{"error": sentence}`. @param status an HTTP status from 400 to 599.
   BadRequest(int status, const std::string& sentence)
       : BadRequest(status, nlohmann::json{{"error", sentence}}) {}
+  BadRequest(int status, const char* sentence) : BadRequest(status, std::string(sentence)) {}
   /// @param body an object with `error` or `mistakes`, valid UTF-8.
   BadRequest(int status, nlohmann::json body)
       : std::runtime_error(body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)),

@@ -1,0 +1,257 @@
+#include "studio/session/color_editor.hpp"
+
+#include <array>
+#include <exception>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "maggic/atomic_file.hpp"
+#include "maggic/config_error.hpp"
+#include "studio/session/bad_request.hpp"
+#include "studio/session/color_settings.hpp"
+
+namespace maggic::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostSteps = 200;
+constexpr std::chrono::milliseconds kPatience{500};
+
+BadRequest refusal(const ConfigError& error) {
+  nlohmann::json mistakes = nlohmann::json::array();
+  for (const Mistake& mistake : error.mistakes()) {
+    mistakes.push_back({{"key", mistake.file}, {"message", mistake.message}});
+  }
+  return {422, nlohmann::json{{"mistakes", std::move(mistakes)}}};
+}
+
+// Sections that only a new start can change.
+constexpr std::array<std::string_view, 4> kOfTheRun{"source", "sinks", "palette", "plugins"};
+// Sections that tracks and followed light depend on.
+constexpr std::array<std::string_view, 3> kOfHistory{"tracker", "field", "light"};
+
+template <std::size_t kCount>
+bool same(const Node& a, const Node& b, const std::array<std::string_view, kCount>& sections) {
+  const auto text = [](const Node* node) { return node != nullptr ? to_yaml(*node) : ""; };
+  for (const std::string_view section : sections) {
+    if (text(a.find(section)) != text(b.find(section))) return false;
+  }
+  return true;
+}
+
+bool lies_within(const fs::path& file, const fs::path& folder) {
+  const fs::path relative = file.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+}  // namespace
+
+ColorEditor::ColorEditor(PipelineRequest request, const Pipeline& running,
+                         PipelineExchange& exchange, PluginRegistry& registry, Reporter& reporter,
+                         EventLog& events)
+    : request_(std::move(request)),
+      exchange_(exchange),
+      registry_(registry),
+      reporter_(reporter),
+      events_(events),
+      compile_time_(running.table_compile_time()) {
+  std::vector<Mistake> notes;
+  read_at_ = file_times();
+  now_ = {merged_document(request_, notes), color_settings(running.parts())};
+  saved_settings_ = now_.settings;
+}
+
+nlohmann::json ColorEditor::colors() const {
+  const std::lock_guard lock(mutex_);
+  return answer();
+}
+
+nlohmann::json ColorEditor::answer() const {
+  nlohmann::json told = now_.settings;
+  told["revision"] = revision_;
+  told["undo"] = undo_.size();
+  told["redo"] = redo_.size();
+  told["unsaved"] = now_.settings != saved_settings_;
+  told["compile_ms"] = std::chrono::duration<double, std::milli>(compile_time_).count();
+  return told;
+}
+
+nlohmann::json ColorEditor::change(const nlohmann::json& change) {
+  const std::lock_guard lock(mutex_);
+  if (change.is_object() && change.contains("revision") && change["revision"] != revision_) {
+    throw BadRequest(409, fmt::format("found a change of revision {}, which is now {}: look again "
+                                      "first",
+                                      change["revision"].dump(), revision_));
+  }
+  Node document = now_.document;
+  try {
+    change_colors(document, change, now_.settings);
+  } catch (const ConfigError& e) {
+    throw refusal(e);
+  }
+  Version before = now_;
+  use(std::move(document));
+  undo_.push_back(std::move(before));
+  if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
+  redo_.clear();
+  tell_of_change();
+  return answer();
+}
+
+nlohmann::json ColorEditor::undo() {
+  const std::lock_guard lock(mutex_);
+  return step(undo_, redo_, "there is nothing to undo");
+}
+
+nlohmann::json ColorEditor::redo() {
+  const std::lock_guard lock(mutex_);
+  return step(redo_, undo_, "there is nothing to redo");
+}
+
+nlohmann::json ColorEditor::step(std::vector<Version>& from, std::vector<Version>& to,
+                                 std::string_view nothing_left) {
+  if (from.empty()) throw BadRequest(409, std::string(nothing_left));
+  Version before = now_;
+  use(from.back().document);
+  from.pop_back();
+  to.push_back(std::move(before));
+  tell_of_change();
+  return answer();
+}
+
+void ColorEditor::tell_of_change() {
+  ++revision_;
+  events_.add("settings", nlohmann::json{{"revision", revision_}}.dump());
+}
+
+void ColorEditor::use(Node document) {
+  BuiltPipeline built;
+  try {
+    built = build_pipeline(document, registry_, reporter_);
+  } catch (const ConfigError& e) {
+    throw refusal(e);
+  } catch (const StageError& e) {
+    throw BadRequest(422, e.what());
+  }
+  nlohmann::json settings = color_settings(built.pipeline->parts());
+  compile_time_ = built.pipeline->table_compile_time();
+  const History history =
+      same(document, now_.document, kOfHistory) ? History::kKept : History::kNew;
+  exchange_.offer(std::move(built.pipeline), history, kPatience);
+  now_ = {std::move(document), std::move(settings)};
+}
+
+nlohmann::json ColorEditor::save(const nlohmann::json& request) {
+  const std::lock_guard lock(mutex_);
+  const fs::path file = file_to_save(request);
+  std::error_code error;
+  Node calibration;
+  try {
+    PipelineRequest without = request_;
+    without.calibration.reset();
+    std::vector<Mistake> notes;
+    const Node pipeline = merged_document(without, notes);
+    if (fs::exists(file, error)) calibration = load_document(file);
+    BuiltPipeline built = build_pipeline(now_.document, registry_, reporter_);
+    write_colors(calibration, pipeline, built.pipeline->parts());
+  } catch (const ConfigError& e) {
+    throw refusal(e);
+  }
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  const std::string text = fmt::format(
+      "# Colours as set in Maggic Studio on {:%Y-%m-%d at %H:%M}; lay it over the pipeline:\n"
+      "#   maggic run {} --calibration {}\n{}\n",
+      fmt::localtime(now), request_.pipeline.stem().string(), file.filename().string(),
+      to_yaml(calibration));
+  try {
+    write_file_atomically(file, text);
+  } catch (const std::exception& e) {
+    throw BadRequest(422, e.what());
+  }
+  request_.calibration = file;
+  read_at_ = file_times();
+  saved_settings_ = now_.settings;
+  tell_of_change();
+  return {{"file", fs::absolute(file).string()}};
+}
+
+fs::path ColorEditor::file_to_save(const nlohmann::json& request) const {
+  const bool names_one = request.is_object() && request.contains("file");
+  if (!names_one) {
+    if (request_.calibration) return *request_.calibration;
+    throw BadRequest(422,
+                     "found no file to save to, expected its name: no calibration was given "
+                     "when the Studio was started");
+  }
+  if (!request["file"].is_string() || request["file"].get<std::string>().empty()) {
+    throw BadRequest(422, "file: found no name, expected one such as venue.yaml");
+  }
+  const fs::path folder = fs::weakly_canonical(fs::current_path());
+  const fs::path file = fs::weakly_canonical(folder / request["file"].get<std::string>());
+  if (request_.calibration && file == fs::weakly_canonical(*request_.calibration)) return file;
+  if (!lies_within(file, folder) || file == folder) {
+    throw BadRequest(422, fmt::format("file: found {}, expected a file within {}",
+                                      request["file"].dump(), folder.string()));
+  }
+  if (file.extension() != ".yaml" && file.extension() != ".yml") {
+    throw BadRequest(422, fmt::format("file: found {}, expected a name that ends with .yaml",
+                                      request["file"].dump()));
+  }
+  if (file == fs::weakly_canonical(request_.pipeline)) {
+    throw BadRequest(422, "file: found the pipeline itself, expected a calibration file beside it");
+  }
+  return file;
+}
+
+ColorEditor::FileTimes ColorEditor::file_times() const {
+  FileTimes times;
+  const auto add = [&](const fs::path& file) {
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    times.push_back(error ? std::nullopt : std::optional(time));
+  };
+  add(request_.pipeline);
+  if (request_.calibration) add(*request_.calibration);
+  return times;
+}
+
+void ColorEditor::follow_files() {
+  const std::lock_guard lock(mutex_);
+  FileTimes times = file_times();
+  if (times == read_at_) return;
+  read_at_ = std::move(times);
+  const auto tell = [&](std::string_view level, const std::string& text) {
+    events_.add("message", nlohmann::json{{"level", level}, {"text", text}}.dump());
+  };
+  try {
+    reload();
+    tell("note", "the pipeline's files were changed and are in use");
+  } catch (const ConfigError& e) {
+    tell("error", fmt::format("a file was changed and is not used:\n{}", e.what()));
+  } catch (const BadRequest& e) {
+    tell("error", fmt::format("a file was changed and is not used: {}", e.what()));
+  }
+}
+
+void ColorEditor::reload() {
+  std::vector<Mistake> notes;
+  Node document = merged_document(request_, notes);
+  if (!same(document, now_.document, kOfTheRun)) {
+    throw BadRequest(422,
+                     "source, sinks, palette and plugin folders are taken at the start: please "
+                     "start the Studio again");
+  }
+  Version before = now_;
+  use(std::move(document));
+  undo_.push_back(std::move(before));
+  redo_.clear();
+  saved_settings_ = now_.settings;
+  tell_of_change();
+}
+
+}  // namespace maggic::studio

@@ -1,0 +1,47 @@
+#include "studio/session/newest_frame.hpp"
+
+#include <utility>
+
+namespace maggic::studio {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenPictures{30};
+constexpr std::chrono::seconds kInterest{2};
+
+}  // namespace
+
+bool NewestFrame::is_wanted(Clock::time_point now) {
+  return now - last_asked_ < kInterest && now - last_kept_ >= kBetweenPictures;
+}
+
+void NewestFrame::offer(const FrameResult& result, const Field& field) {
+  const Clock::time_point now = Clock::now();
+  {
+    const std::lock_guard lock(mutex_);
+    if (!is_wanted(now)) return;
+    last_kept_ = now;
+  }
+  auto kept = std::make_shared<KeptFrame>();
+  kept->result = result;
+  // The picture is the pool's, which will be written over.
+  kept->result.frame.bgr = result.frame.bgr.clone();
+  kept->result.frame.truth_labels.release();
+  kept->field = std::make_shared<const Field>(field);
+  {
+    const std::lock_guard lock(mutex_);
+    kept->number = ++count_;
+    newest_ = std::move(kept);
+  }
+  kept_.notify_all();
+}
+
+std::shared_ptr<const KeptFrame> NewestFrame::next(std::uint64_t after,
+                                                   std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  last_asked_ = Clock::now();
+  const bool came =
+      kept_.wait_for(lock, timeout, [&] { return newest_ && newest_->number > after; });
+  return came ? newest_ : nullptr;
+}
+
+}  // namespace maggic::studio

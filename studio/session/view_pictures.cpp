@@ -1,0 +1,116 @@
+#include "studio/session/view_pictures.hpp"
+
+#include <algorithm>
+
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "maggic/label_picture.hpp"
+
+namespace maggic::studio {
+namespace {
+
+constexpr std::size_t kMostShelves = 16;
+constexpr int kJpegQuality = 80;
+
+cv::Mat narrowed(const cv::Mat& picture, int width_px) {
+  if (width_px <= 0 || width_px >= picture.cols) return picture;
+  const double scale = static_cast<double>(width_px) / picture.cols;
+  const int height_px = std::max(1, static_cast<int>(picture.rows * scale + 0.5));
+  cv::Mat small;
+  cv::resize(picture, small, {width_px, height_px}, 0, 0, cv::INTER_AREA);
+  return small;
+}
+
+}  // namespace
+
+ViewPictures::ViewPictures(NewestFrame& frames, PipelineExchange& exchange, Palette palette)
+    : frames_(frames), exchange_(exchange), palette_(std::move(palette)) {}
+
+std::vector<std::string> ViewPictures::names() {
+  return {"overlay", "original", "normalized", "filtered", "labels"};
+}
+
+std::shared_ptr<const Picture> ViewPictures::next(std::string_view view, int width_px,
+                                                  std::uint64_t after,
+                                                  std::chrono::milliseconds timeout) {
+  const std::shared_ptr<const KeptFrame> frame = frames_.next(after, timeout);
+  if (!frame) return nullptr;
+  const std::shared_ptr<Shelf> shelf = shelf_of(view, width_px);
+  const std::lock_guard lock(shelf->mutex);
+  if (!shelf->newest || shelf->newest->sequence < frame->number) {
+    auto picture = std::make_shared<Picture>();
+    picture->sequence = frame->number;
+    cv::imencode(".jpg", narrowed(draw(view, *frame, shelf->overlay), width_px), picture->jpeg,
+                 {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+    shelf->newest = std::move(picture);
+  }
+  return shelf->newest;
+}
+
+std::shared_ptr<ViewPictures::Shelf> ViewPictures::shelf_of(std::string_view view, int width_px) {
+  const std::pair<std::string, int> key(view, width_px);
+  const std::lock_guard lock(mutex_);
+  const auto known =
+      std::ranges::find(shelves_, key, [](const auto& entry) { return entry.first; });
+  std::shared_ptr<Shelf> shelf;
+  if (known != shelves_.end()) {
+    shelf = known->second;
+    shelves_.erase(known);
+  } else {
+    shelf = std::make_shared<Shelf>(palette_);
+  }
+  shelves_.emplace_back(key, shelf);
+  if (shelves_.size() > kMostShelves) shelves_.pop_front();
+  return shelf;
+}
+
+cv::Mat ViewPictures::draw(std::string_view view, const KeptFrame& frame, Overlay& overlay) {
+  const cv::Mat& bgr = frame.result.frame.bgr;
+  if (view == "overlay") {
+    cv::Mat picture;
+    overlay.draw(frame.result, *frame.field, picture);
+    return picture;
+  }
+  if (view == "normalized") return normalized(bgr);
+  if (view == "filtered") {
+    cv::Mat picture;
+    normalized(bgr).copyTo(picture, labels(frame) != kBackground);
+    return picture;
+  }
+  if (view == "labels") return colored_labels(labels(frame), palette_);
+  return bgr;
+}
+
+cv::Mat ViewPictures::normalized(const cv::Mat& bgr) {
+  cv::Mat picture = bgr;
+  exchange_.with_pipeline([&](const Pipeline& pipeline) {
+    const auto* normalizer =
+        dynamic_cast<const ColorNormalizer*>(pipeline.parts().normalizer.stage.get());
+    if (normalizer == nullptr) return;
+    std::vector<cv::Mat> in;
+    cv::split(bgr, in);
+    std::vector<cv::Mat> out(3);
+    for (cv::Mat& plane : out) plane.create(bgr.size(), CV_8UC1);
+    const auto size = bgr.total();
+    const auto read = [&](std::size_t c) {
+      return std::span<const std::uint8_t>(in[c].data, size);
+    };
+    const auto write = [&](std::size_t c) { return std::span<std::uint8_t>(out[c].data, size); };
+    normalizer->normalize({read(0), read(1), read(2)}, {write(0), write(1), write(2)});
+    cv::merge(out, picture);
+  });
+  return picture;
+}
+
+// From the runs: what the frame path found, and where it looked.
+cv::Mat ViewPictures::labels(const KeptFrame& frame) const {
+  cv::Mat labels(frame.result.frame.bgr.size(), CV_8UC1, cv::Scalar(kBackground));
+  for (const Run& run : frame.result.runs) {
+    Label* row = labels.ptr<Label>(run.row);
+    std::fill(row + run.begin, row + run.end, run.label);
+  }
+  return labels;
+}
+
+}  // namespace maggic::studio

@@ -7,6 +7,7 @@ find_package(nlohmann_json 3.11 REQUIRED)  # JSON Lines out, truth and reports i
 find_package(ZLIB REQUIRED)                # pictures of reports as PNG
 find_package(CLI11 2.1 REQUIRED)           # command line of the program, one translation unit
 find_package(hwy 1.0.3 REQUIRED)          # vector instructions, chosen when the program runs
+find_package(Protobuf 3.21 REQUIRED)       # packets of the network sinks: protoc and light runtime
 find_package(Threads REQUIRED)
 if(BUILD_TESTING)
   find_package(GTest 1.12 REQUIRED)        # tests

@@ -73,10 +73,14 @@ class Workspace {
 std::string parameters_of(const std::string& plugin, const Workspace& workspace) {
   const std::map<std::string, std::function<std::string()>> table = {
       {"camera", [] { return std::string("device: 4321"); }},  // one that is not there
+      // Packets stay on this machine, at the port whose service throws away what it gets.
+      {"fira", [] { return std::string("{address: 127.0.0.1, port: 9}"); }},
       {"images", [&] { return fmt::format("path: '{}'", workspace.pictures()); }},
       {"jsonl", [&] { return fmt::format("path: '{}'", workspace.path("out.jsonl")); }},
       {"labelled_images", [&] { return fmt::format("path: '{}'", workspace.path("set")); }},
       {"overlay_video", [&] { return fmt::format("path: '{}'", workspace.path("out.mp4")); }},
+      {"ssl_tracked", [] { return std::string("{address: 127.0.0.1, port: 9}"); }},
+      {"ssl_vision", [] { return std::string("{address: 127.0.0.1, port: 9}"); }},
       {"synthetic_match", [] { return std::string("frames: 12"); }},
       {"yuv_boxes",
        [] { return std::string("boxes: {orange: {y: [0, 255], u: [0, 127], v: [140, 255]}}"); }},

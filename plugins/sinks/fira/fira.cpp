@@ -32,7 +32,7 @@ namespace {
 
 using maggic::RobotDetection;
 
-constexpr double metres(double length_mm) { return length_mm * 1e-3; }
+constexpr double metres(double length_mm) { return length_mm / 1000.0; }
 
 void fill(fira_message::Ball& out, const maggic::BallDetection& ball, double height_mm) {
   out.set_x(metres(ball.position_mm.x));

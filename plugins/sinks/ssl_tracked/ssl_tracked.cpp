@@ -35,7 +35,7 @@ namespace {
 using maggic::BallDetection;
 using maggic::RobotDetection;
 
-float metres(double length_mm) { return static_cast<float>(length_mm * 1e-3); }
+float metres(double length_mm) { return static_cast<float>(length_mm / 1000.0); }
 
 template <class Vector>
 void set_xy(Vector& out, cv::Point2d vector_mm) {

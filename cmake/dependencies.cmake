@@ -12,6 +12,7 @@ find_package(Threads REQUIRED)
 if(BUILD_TESTING)
   find_package(GTest 1.12 REQUIRED)        # tests
   find_package(rapidcheck REQUIRED)        # property tests
+  # python3 is looked for by the tests that need it: a client of the network sinks.
 endif()
 if(MAGGIC_BENCH)
   find_package(benchmark 1.7 REQUIRED)     # benchmarks

@@ -1,5 +1,5 @@
 #pragma once
-/// Starts the built program `maggic` as a user would, for tests of the whole.
+/// Starts programs as a user would, the built `maggic` above all, for tests of the whole.
 
 #include <cerrno>
 #include <chrono>
@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -31,13 +32,19 @@ struct ProgramResult {
   std::string err;
 };
 
-/// One running `maggic`, its output kept in `folder`. Killed if still running when destroyed.
+/// One running program, its output kept in `folder`. Killed if still running when destroyed.
 class Program {
  public:
+  /// Starts `maggic`, which lies beside the test program, in the build tree as in every preset.
   Program(const std::filesystem::path& folder, std::vector<std::string> arguments)
+      : Program(folder, std::filesystem::read_symlink("/proc/self/exe").parent_path() / "maggic",
+                std::move(arguments)) {}
+
+  /// Starts `program`, searched for in PATH where it is a mere name; its exit code is 127 when it
+  /// is not there.
+  Program(const std::filesystem::path& folder, std::string program,
+          std::vector<std::string> arguments)
       : out_(folder / "stdout.txt"), err_(folder / "stderr.txt") {
-    // It lies beside the test program, in the build tree as in every preset.
-    std::string program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "maggic";
     std::vector<char*> argv{program.data()};
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -49,7 +56,7 @@ class Program {
     const int out = ::open(out_.c_str(), kFlags, 0600);
     const int err = ::open(err_.c_str(), kFlags, 0600);
     if (::dup2(null, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) ::_exit(126);
-    ::execv(argv[0], argv.data());
+    ::execvp(argv[0], argv.data());
     ::_exit(127);
   }
   ~Program() {
@@ -60,6 +67,9 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
+  /// What it has said so far.
+  std::string err() const { return text_of(err_); }
+
   void send(int signal) const { ::kill(pid_, signal); }
 
   /// Waits for its end. @throws std::runtime_error when it takes longer than `patience`.
@@ -68,7 +78,7 @@ class Program {
     int status = 0;
     while (::waitpid(pid_, &status, WNOHANG) == 0) {
       if (std::chrono::steady_clock::now() > give_up) {
-        throw std::runtime_error("maggic did not end; it said: " + text_of(err_));
+        throw std::runtime_error("the program did not end; it said: " + text_of(err_));
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }

@@ -1,7 +1,5 @@
 #include "maggic/field_area.hpp"
 
-#include <algorithm>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -18,12 +16,6 @@ FieldParameters seen_from_above() {
   FieldParameters parameters;
   parameters.corners_px = {{95, 45}, {545, 45}, {545, 435}, {95, 435}};
   return parameters;
-}
-
-bool holds(const ScanArea& area, cv::Point pixel) {
-  return std::ranges::any_of(area, [&](const RowSpan& span) {
-    return span.row == pixel.y && span.begin <= pixel.x && pixel.x < span.end;
-  });
 }
 
 TEST(FieldArea, IsTheWholePictureWhileTheCornersAreNotKnown) {

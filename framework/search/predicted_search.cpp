@@ -24,6 +24,11 @@ double mm_per_px(const Field& field, cv::Point2d point_px, double height_mm) {
 
 }  // namespace
 
+bool may_go_on_unseen(const Blob& blob, const ScanArea& area, const ScanArea& field_area) {
+  const cv::Rect& box = blob.bounds_px;
+  return !covers(area, field_area, {box.x - 1, box.y - 1, box.width + 2, box.height + 2});
+}
+
 void PredictedSearch::forget() {
   started_ = false;
   last_.reset();
@@ -121,12 +126,7 @@ void PredictedSearch::join_regions_and_turn(const ScanArea& field_area, double o
   const double turn_bottom = turn_begin(turn_ + 1) + overlap_px;
 
   area_.clear();
-  first_of_row_.assign(static_cast<std::size_t>(field_area.back().row) + 2, 0);
-  std::size_t next_row = 0;
   for (const RowSpan& span : field_area) {
-    for (; next_row <= span.row; ++next_row) {
-      first_of_row_[next_row] = static_cast<std::uint32_t>(area_.size());
-    }
     if (span.row >= turn_top && span.row < turn_bottom) {
       area_.push_back(span);
       continue;
@@ -152,36 +152,11 @@ void PredictedSearch::join_regions_and_turn(const ScanArea& field_area, double o
     }
     take();
   }
-  for (; next_row < first_of_row_.size(); ++next_row) {
-    first_of_row_[next_row] = static_cast<std::uint32_t>(area_.size());
-  }
-}
-
-// Whether all of a box that lies in the field's area was looked at.
-bool PredictedSearch::covers(const cv::Rect& box) const {
-  const int first_field_row = field_area_->front().row;
-  const int last_field_row = field_area_->back().row;
-  const int top = std::max(box.y, first_field_row);
-  const int bottom = std::min(box.y + box.height, last_field_row + 1);
-  auto span = std::ranges::lower_bound(*field_area_, top, {}, &RowSpan::row);
-  for (; span != field_area_->end() && span->row < bottom; ++span) {
-    const int begin = std::max<int>(box.x, span->begin);
-    const int end = std::min<int>(box.x + box.width, span->end);
-    if (begin >= end) continue;
-    const auto first = area_.begin() + first_of_row_[span->row];
-    const auto last = area_.begin() + first_of_row_[span->row + 1U];
-    const bool is_seen = std::any_of(
-        first, last, [&](const RowSpan& seen) { return seen.begin <= begin && end <= seen.end; });
-    if (!is_seen) return false;
-  }
-  return true;
 }
 
 bool PredictedSearch::accept(std::vector<Blob>& blobs) const {
-  std::erase_if(blobs, [this](const Blob& blob) {
-    const cv::Rect& box = blob.bounds_px;
-    return !covers({box.x - 1, box.y - 1, box.width + 2, box.height + 2});
-  });
+  std::erase_if(blobs,
+                [this](const Blob& blob) { return may_go_on_unseen(blob, area_, *field_area_); });
   return std::ranges::all_of(expected_, [&](const Expected& expected) {
     return std::ranges::any_of(blobs, [&](const Blob& blob) {
       const cv::Point2d off = blob.centroid_px - expected.centroid_px;

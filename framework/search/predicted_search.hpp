@@ -1,7 +1,6 @@
 #pragma once
 /// Looking where things are expected, and at the rest of the field in turns.
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,6 +13,10 @@
 #include "maggic/scan_area.hpp"
 
 namespace maggic {
+
+/// Whether a blob found in `area` may go on in pixels of the field's area that were not looked at:
+/// the rule by which a predicted search takes blobs out. It judges by the blob's bounding box.
+bool may_go_on_unseen(const Blob& blob, const ScanArea& area, const ScanArea& field_area);
 
 /// Plans the area of each frame from what was detected in the last one. Never sure of itself: the
 /// whole field is searched as long as anything known is out of sight, and at once in a frame in
@@ -70,7 +73,6 @@ class PredictedSearch {
                    const Field& field);
   void add_region(const Field& field, cv::Point2d position_mm, double height_mm, double radius_mm);
   void join_regions_and_turn(const ScanArea& field_area, double overlap_px);
-  bool covers(const cv::Rect& box) const;
 
   int turns_;
   int turn_ = 0;
@@ -81,8 +83,7 @@ class PredictedSearch {
   Detections seen_;
   const ScanArea* field_area_ = nullptr;
   ScanArea area_;
-  std::vector<std::uint32_t> first_of_row_;  ///< Into `area_`, by row, and one more.
-  std::vector<cv::Rect> regions_;            ///< By left edge.
+  std::vector<cv::Rect> regions_;  ///< By left edge.
   std::vector<Expected> expected_;
 };
 

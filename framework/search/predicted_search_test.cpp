@@ -98,12 +98,6 @@ class PredictedSearchTest : public ::testing::Test {
   Timestamp captured_{0};
 };
 
-bool covers(const ScanArea& area, cv::Point point_px) {
-  return std::ranges::any_of(area, [&](const RowSpan& span) {
-    return span.row == point_px.y && span.begin <= point_px.x && point_px.x < span.end;
-  });
-}
-
 std::size_t pixels(const ScanArea& area) {
   std::size_t sum = 0;
   for (const RowSpan& span : area) sum += static_cast<std::size_t>(span.end - span.begin);
@@ -126,8 +120,8 @@ TEST_F(PredictedSearchTest, LooksRoundWhatItKnowsWhicheverTurnItIs) {
   const ScanArea* area = plan_when_settled();
   for (int i = 0; i < 2 * kTurns; ++i, area = plan()) {
     ASSERT_NE(area, nullptr);
-    EXPECT_TRUE(covers(*area, robot_px));
-    EXPECT_TRUE(covers(*area, ball_px));
+    EXPECT_TRUE(holds(*area, robot_px));
+    EXPECT_TRUE(holds(*area, ball_px));
     EXPECT_LT(pixels(*area), pixels(field_area_) * 2 / 3);
     search_.remember(seen_);
   }
@@ -141,8 +135,8 @@ TEST_F(PredictedSearchTest, LooksWhereARobotIsGoing) {
     search_.remember(seen_);
     area = plan(0.05);
     ASSERT_NE(area, nullptr);
-    EXPECT_TRUE(covers(*area, image_px({150, 0})));
-    EXPECT_TRUE(covers(*area, image_px({150 + 65, 0})));
+    EXPECT_TRUE(holds(*area, image_px({150, 0})));
+    EXPECT_TRUE(holds(*area, image_px({150 + 65, 0})));
   }
 }
 
@@ -309,7 +303,7 @@ RC_GTEST_PROP(PredictedSearchProperty, ANewRobotIsWhollyInSightWithinTheTurns,
   const cv::Point last(round.field.to_image_px({x_mm + radius_mm, y_mm - radius_mm}, height_mm));
   RC_ASSERT(std::ranges::any_of(round.areas, [&](const ScanArea& area) {
     for (int row = first.y; row <= last.y; ++row) {
-      if (!covers(area, {first.x, row}) || !covers(area, {last.x, row})) return false;
+      if (!holds(area, {first.x, row}) || !holds(area, {last.x, row})) return false;
     }
     return true;
   }));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace maggic {
@@ -56,6 +57,11 @@ class RowExtents {
   std::vector<Extent> extents_;
 };
 
+// Between these two lies all that is looked for.
+std::array<double, 2> outer_heights_mm(const Field& field) {
+  return {0.0, std::max(field.robot_height_mm(), field.ball_height_mm())};
+}
+
 }  // namespace
 
 ScanArea field_area(const Field& field, double margin_mm) {
@@ -77,15 +83,27 @@ ScanArea field_area(const Field& field, double margin_mm) {
       last = next;
     }
   };
-  const double top_mm = std::max(field.robot_height_mm(), field.ball_height_mm());
+  const auto heights_mm = outer_heights_mm(field);
   for (std::size_t side = 0; side + 1 < outline.size(); ++side) {
-    for (const double height_mm : {0.0, top_mm}) {
+    for (const double height_mm : heights_mm) {
       add_side(outline[side], outline[side + 1], height_mm, height_mm);
     }
     // To a camera beside the field the upright edges stand out between floor and top.
-    add_side(outline[side], outline[side], 0.0, top_mm);
+    add_side(outline[side], outline[side], heights_mm.front(), heights_mm.back());
   }
   return extents.area();
+}
+
+double beyond_lines_mm(const Field& field, cv::Point2d point_px) {
+  const FieldParameters& parameters = field.parameters();
+  double nearest_mm = std::numeric_limits<double>::max();
+  for (const double height_mm : outer_heights_mm(field)) {
+    const cv::Point2d position_mm = field.to_field_mm(point_px, height_mm);
+    nearest_mm =
+        std::min(nearest_mm, std::max(std::abs(position_mm.x) - parameters.length_mm / 2.0,
+                                      std::abs(position_mm.y) - parameters.width_mm / 2.0));
+  }
+  return std::max(nearest_mm, 0.0);
 }
 
 }  // namespace maggic

@@ -71,6 +71,36 @@ TEST(FieldArea, HoldsTagsOfEveryHeightAboveTheCornersForACameraBesideTheField) {
   }
 }
 
+TEST(FieldArea, TellsHowFarBeyondTheLinesAPixelLies) {
+  FieldParameters parameters = seen_from_above();
+  const Field field(parameters, kSize);
+  EXPECT_EQ(beyond_lines_mm(field, {320, 240}), 0.0);
+  EXPECT_EQ(beyond_lines_mm(field, {95.5, 45.5}), 0.0);
+  const double top_mm = field.robot_height_mm();
+  EXPECT_NEAR(beyond_lines_mm(field, field.to_image_px({0.0, -750.0}, top_mm)), 100.0, 1e-6);
+  EXPECT_NEAR(beyond_lines_mm(field, field.to_image_px({-800.0, 900.0}, top_mm)), 250.0, 1e-6);
+  parameters.camera_position_mm = {3000.0, 0.0};  // what is high now leans inwards on this side
+  const Field from_the_side(parameters, kSize);
+  EXPECT_NEAR(beyond_lines_mm(from_the_side, from_the_side.to_image_px({900.0, 0.0}, 0.0)), 150.0,
+              1e-6);
+}
+
+RC_GTEST_PROP(FieldArea, TakesInAPixelFromTheMarginOnThatReachesIt, ()) {
+  FieldParameters parameters = seen_from_above();
+  for (cv::Point2d& corner : parameters.corners_px) {
+    corner += cv::Point2d(*rc::gen::inRange(-40, 40), *rc::gen::inRange(-40, 40));
+  }
+  parameters.lens_k1 = *rc::gen::inRange(-30, 10) / 100.0;
+  const Field field(parameters, kSize);
+  const cv::Point pixel(*rc::gen::inRange(0, kSize.width), *rc::gen::inRange(0, kSize.height));
+  const double beyond_mm = beyond_lines_mm(field, pixel);
+  RC_ASSERT(holds(field_area(field, beyond_mm), pixel));
+  // A few pixels less is too little; a pixel is about 3 mm in the middle, more where lens and
+  // perspective crowd the field together.
+  const double few_px_mm = 4.0 * cv::norm(field.jacobian_mm_per_px(pixel, 0.0));
+  if (beyond_mm > few_px_mm) RC_ASSERT(!holds(field_area(field, beyond_mm - few_px_mm), pixel));
+}
+
 RC_GTEST_PROP(FieldArea, HoldsEveryPixelThatSeesTheFieldThroughAnyLens, ()) {
   FieldParameters parameters = seen_from_above();
   for (cv::Point2d& corner : parameters.corners_px) {

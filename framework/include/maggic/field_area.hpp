@@ -11,4 +11,9 @@ namespace maggic {
 /// few. The whole picture while the field's corners are not known.
 ScanArea field_area(const Field& field, double margin_mm);
 
+/// How far beyond the field's lines lies what is seen at a pixel, mm, parallel to the side it lies
+/// beyond the most; 0 within the lines. Of what may be seen there, on the floor or as high as the
+/// tags, the nearer counts: this is the margin from which on `field_area` has the pixel. Finite.
+double beyond_lines_mm(const Field& field, cv::Point2d point_px);
+
 }  // namespace maggic

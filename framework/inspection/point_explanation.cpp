@@ -13,7 +13,10 @@
 
 #include "inspection/connected_runs.hpp"
 #include "maggic/blob_extractor.hpp"
+#include "maggic/field_area.hpp"
 #include "maggic/longest_runs.hpp"
+#include "maggic/scan_area.hpp"
+#include "search/predicted_search.hpp"
 
 namespace maggic {
 namespace {
@@ -53,6 +56,10 @@ class Walk {
       add("light", fmt::format("{}, {}, in the light of the calibration", original_.to_string(),
                                hsv_text(original_)));
     }
+    if (!holds(pipeline_.scanned_area(), pixel_px_)) {
+      add("scan", holds(pipeline_.field_area(), pixel_px_) ? other_turn_text() : beyond_text());
+      return std::move(answers_);
+    }
     normalized_ = normalized_color();
     add("normalized",
         fmt::format("{} by {}", normalized_.to_string(), pipeline_.parts().normalizer.name));
@@ -65,6 +72,42 @@ class Walk {
  private:
   void add(std::string_view stage, std::string text) {
     answers_.push_back({std::string(stage), std::move(text)});
+  }
+
+  std::string beyond_text() const {
+    const double beyond_mm = std::ceil(beyond_lines_mm(*pipeline_.field(), pixel_px_));
+    const double margin_mm = pipeline_.parts().scan.margin_mm;
+    constexpr double kMaxMm = ScanParameters::kMaxMarginMm;
+    std::string text = fmt::format(
+        "not looked at: beyond the field: {}{} mm outside the lines, scan.margin_mm is {}\n",
+        beyond_mm > kMaxMm ? "more than " : "", std::min(beyond_mm, kMaxMm), margin_mm);
+    if (beyond_mm <= kMaxMm) {
+      text += fmt::format("scan.margin_mm {} would take it in; ", beyond_mm);
+    }
+    return text + "if it is nearer to the field than that, field.corners_px are not its corners";
+  }
+
+  std::string other_turn_text() const {
+    return fmt::format(
+        "not looked at in this frame: with scan.search: predicted that is only round what was seen "
+        "last, and one part of the field in turn\n"
+        "this place's turn comes within scan.unseen_frames, {}; scan.search: full looks at all of "
+        "it in every frame",
+        unseen_frames_text());
+  }
+
+  std::string cut_text(const Blob& blob) const {
+    return fmt::format(
+        "{} px of it were looked at in this frame, around {:.1f},{:.1f}\n"
+        "dropped: with scan.search: predicted, as it may go on where this frame was not looked at\n"
+        "a tag or a ball is seen whole within scan.unseen_frames, {}; scan.search: full looks at "
+        "all of the field in every frame",
+        blob.area_px, blob.centroid_px.x, blob.centroid_px.y, unseen_frames_text());
+  }
+
+  std::string unseen_frames_text() const {
+    const int frames = pipeline_.parts().scan.unseen_frames;
+    return fmt::format("{} frame{}", frames, frames == 1 ? "" : "s");
   }
 
   OneColor normalized_color() const {
@@ -126,6 +169,11 @@ class Walk {
       return other.label == blob.label && other.area_px == blob.area_px &&
              other.bounds_px == blob.bounds_px && other.centroid_px == blob.centroid_px;
     });
+    if (kept == blobs.end() &&
+        may_go_on_unseen(blob, pipeline_.scanned_area(), pipeline_.field_area())) {
+      add("blob", cut_text(blob));
+      return;
+    }
     std::string text = fmt::format(
         "{} px, {:.0f} mm² (limits {} … {} mm²), {}×{} px around {:.1f},{:.1f}", blob.area_px,
         blob.area_px * pipeline_.blob_scale_mm2_per_px(), pipeline_.parts().blobs.min_area_mm2,
@@ -167,7 +215,33 @@ class Walk {
                              *pipeline_.field()};
     std::string text = named.stage->explain(input, blob, pipeline_.palette());
     if (text.empty()) text = fmt::format("{} gives no reasons", named.name);
+    if (!is_detected(result_.blobs[blob]) && !all_round_was_scanned(result_.blobs[blob])) {
+      text += fmt::format(
+          "\nnot all within {} mm of it was looked at in this frame (scan.search: predicted); all "
+          "is seen together within scan.unseen_frames, {}",
+          PredictedSearch::kRobotBreadthMm, unseen_frames_text());
+    }
     add("tracker", std::move(text));
+  }
+
+  bool is_detected(const Blob& blob) const {
+    const Detections& found = result_.detections;
+    const auto is_it = [&](const auto& sighting) {
+      return sighting.label == blob.label && sighting.centroid_px == blob.centroid_px;
+    };
+    return (found.ball && is_it(*found.ball)) ||
+           std::ranges::any_of(found.robots, [&](const RobotDetection& robot) {
+             return std::ranges::any_of(robot.tags, is_it);
+           });
+  }
+
+  bool all_round_was_scanned(const Blob& blob) const {
+    const int reach_px = static_cast<int>(PredictedSearch::kRobotBreadthMm /
+                                          std::sqrt(pipeline_.blob_scale_mm2_per_px()));
+    const cv::Rect& box = blob.bounds_px;
+    return covers(
+        pipeline_.scanned_area(), pipeline_.field_area(),
+        {box.x - reach_px, box.y - reach_px, box.width + 2 * reach_px, box.height + 2 * reach_px});
   }
 
   const Pipeline& pipeline_;

@@ -114,7 +114,8 @@ struct Rig {
 
   explicit Rig(std::uint64_t frames, std::size_t sink_count = 1, bool image_stages = false,
                const FieldParameters& field = {}, const LightParameters& light = {},
-               const BlobParameters& blobs = {.min_area_mm2 = 0.0, .max_area_mm2 = 1e9}) {
+               const BlobParameters& blobs = {.min_area_mm2 = 0.0, .max_area_mm2 = 1e9},
+               const ScanParameters& scan = {}) {
     auto new_source = std::make_unique<CountingSource>();
     source = new_source.get();
     source->count = frames;
@@ -135,6 +136,7 @@ struct Rig {
     }
     parts.tracker = named<Tracker>("hook", std::move(new_tracker));
     parts.blobs = blobs;
+    parts.scan = scan;
     built.pipeline = std::make_unique<Pipeline>(std::move(parts), reporter);
     built.source = named<Source>("counting", std::move(new_source));
     for (std::size_t i = 0; i < sink_count; ++i) {

@@ -7,7 +7,7 @@ void ScanParameters::describe(Parameters& p) {
             threads, {1, 64});
   p.number({"margin_mm",
             "how far beyond the field's lines is looked, once the field's corners are known", "mm"},
-           margin_mm, {0.0, 10'000.0});
+           margin_mm, {0.0, kMaxMarginMm});
   p.choice({"search",
             "full: all of the field in every frame; predicted: round what was seen last, and the "
             "rest of the field in turns"},

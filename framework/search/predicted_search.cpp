@@ -10,11 +10,12 @@ namespace {
 // What a motion may be off the prediction: what wheels, or a kick, can do within a frame.
 constexpr double kRobotSlackMm = 30.0;
 constexpr double kBallSlackMm = 80.0;
-constexpr double kSpeedShare = 0.5;      // of the way expected within the frame
-constexpr double kRobotRadiusMm = 65.0;  // corner to centre, with a tag that reaches over the edge
+constexpr double kSpeedShare = 0.5;  // of the way expected within the frame
+// Corner to centre, with a tag that reaches over the edge.
+constexpr double kRobotRadiusMm = PredictedSearch::kRobotBreadthMm / 2.0;
 constexpr double kBallRadiusMm = 25.0;
 // A new robot's tags all lie within one turn's rows if turns overlap by a robot.
-constexpr double kOverlapMm = 2.0 * kRobotRadiusMm;
+constexpr double kOverlapMm = PredictedSearch::kRobotBreadthMm;
 constexpr double kLongestGapS = 0.25;
 constexpr double kMostGrowth = 2.0;  // of a blob's area from frame to frame, either way
 

@@ -26,6 +26,9 @@ bool may_go_on_unseen(const Blob& blob, const ScanArea& area, const ScanArea& fi
 /// A frame goes through `plan`, then, if that gave an area, `accept`, and last `remember`.
 class PredictedSearch {
  public:
+  /// Any two blobs of one robot lie within it: corner to corner, with a tag that reaches over.
+  static constexpr double kRobotBreadthMm = 130.0;
+
   /// @param unseen_frames how many turns the rest of the field takes, at least 1.
   explicit PredictedSearch(int unseen_frames) : turns_(unseen_frames) {}
 

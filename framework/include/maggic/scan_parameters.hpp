@@ -11,6 +11,8 @@ struct ScanParameters {
     kPredicted,  ///< Round what was seen last in every frame, the rest of the field in turns.
   };
 
+  static constexpr double kMaxMarginMm = 10'000.0;
+
   int threads = 1;
   /// How far beyond the field's lines is looked, where its corners are known; else the whole
   /// picture is.

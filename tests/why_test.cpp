@@ -1,8 +1,10 @@
 /// `--why X,Y` and the notes on doubtful borders, as a user meets them.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "program.hpp"
@@ -78,6 +80,44 @@ TEST_F(WhyTest, NamesTheGrayFilterTheBlobLimitAndThePictureBeside) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("background: gray: the channels are all equal"),
                                 HasSubstr("dropped: smaller than blobs.min_area_mm2"),
                                 HasSubstr("the nearest coloured pixel is blue at 103,100")));
+}
+
+TEST_F(WhyTest, SaysThatAPointLiesBeyondTheFieldsMargin) {
+  // 3v3, 5 mm a pixel: the picture's left rim is 50 mm beyond the line.
+  const std::vector<std::string> beyond{
+      "--why", "0,120",
+      "--set", "field.corners_px=[[10, -10], [310, -10], [310, 250], [10, 250]]",
+      "--set", "scan.margin_mm=0"};
+  const auto result = run(beyond);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("scan   not looked at: beyond the field: "),
+                                HasSubstr(" mm outside the lines, scan.margin_mm is 0\n"),
+                                Not(HasSubstr("label"))));
+  auto within = beyond;
+  within.back() = "scan.margin_mm=50";
+  EXPECT_THAT(run(within).out, AllOf(HasSubstr("label  "), Not(HasSubstr("not looked at"))));
+}
+
+TEST_F(WhyTest, SaysThatAPredictedSearchDidNotLookAtAPointInThisFrame) {
+  // The first 8 frames are looked at as a whole; in the ninth the top rows have their turn.
+  std::filesystem::create_directory(folder_.path() / "pictures");
+  for (int i = 0; i < 9; ++i) folder_.write(fmt::format("pictures/{}.ppm", i), robot_picture());
+  std::vector<std::string> asked{"run",   pipeline_, "--source", folder_.path() / "pictures",
+                                 "--why", "300,230", "--set",    "scan.search=predicted"};
+  const auto result = maggic(asked);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(
+      result.out,
+      AllOf(HasSubstr("why 300,230 in frame 8"), HasSubstr("scan   not looked at in this frame"),
+            HasSubstr("within scan.unseen_frames, 8 frames"), Not(HasSubstr("background"))));
+  for (const char* looked_at : {"300,5", "103,106"}) {
+    asked[5] = looked_at;
+    EXPECT_THAT(maggic(asked).out, AllOf(HasSubstr("label  "), Not(HasSubstr("not looked at"))));
+  }
+  asked[5] = "300,230";
+  asked.back() = "scan.search=full";
+  EXPECT_THAT(maggic(asked).out,
+              AllOf(HasSubstr("background: gray"), Not(HasSubstr("not looked at"))));
 }
 
 TEST_F(WhyTest, AnswersForTheFrameAskedFor) {

@@ -85,7 +85,7 @@ class SslVision final : public maggic::Sink {
   maggic::network::FieldMarkings markings_;
 
   std::optional<maggic::network::PersistentSender> sender_;
-  const maggic::live::CaptureClock clock_;
+  maggic::live::CaptureClock clock_;
   bool live_ = false;
   maggic::ssl_vision::OnceASecond geometry_;
 };

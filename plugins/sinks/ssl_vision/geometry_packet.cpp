@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <string_view>
 
 #include "ssl_vision.pb.h"
 
@@ -18,23 +19,24 @@ void set(Vector2f& out, cv::Point2d point_mm) {
   out.set_y(static_cast<float>(point_mm.y));
 }
 
+// Names are written out: protobuf would keep the table it looks them up in beyond the plugin's end.
 class Lines {
  public:
   Lines(SSL_GeometryFieldSize& field, double thickness_mm)
       : field_(field), thickness_mm_(static_cast<float>(thickness_mm)) {}
 
-  void add(SSL_FieldShapeType type, cv::Point2d from_mm, cv::Point2d to_mm) {
+  void add(std::string_view name, SSL_FieldShapeType type, cv::Point2d from_mm, cv::Point2d to_mm) {
     SSL_FieldLineSegment& line = *field_.add_field_lines();
-    line.set_name(SSL_FieldShapeType_Name(type));
+    line.set_name(name.data(), name.size());
     line.set_type(type);
     set(*line.mutable_p1(), from_mm);
     set(*line.mutable_p2(), to_mm);
     line.set_thickness(thickness_mm_);
   }
 
-  void add_circle(SSL_FieldShapeType type, double radius_mm) {
+  void add_circle(std::string_view name, SSL_FieldShapeType type, double radius_mm) {
     SSL_FieldCircularArc& arc = *field_.add_field_arcs();
-    arc.set_name(SSL_FieldShapeType_Name(type));
+    arc.set_name(name.data(), name.size());
     arc.set_type(type);
     set(*arc.mutable_center(), {0.0, 0.0});
     arc.set_radius(static_cast<float>(radius_mm));
@@ -68,18 +70,22 @@ std::string geometry_packet(const FieldParameters& field, const network::FieldMa
   const double area_x = x - markings.goal_area_depth_mm;
   const double area_y = markings.goal_area_width_mm / 2.0;
   Lines lines(out, markings.line_thickness_mm);
-  lines.add(TopTouchLine, {-x, y}, {x, y});
-  lines.add(BottomTouchLine, {-x, -y}, {x, -y});
-  lines.add(LeftGoalLine, {-x, -y}, {-x, y});
-  lines.add(RightGoalLine, {x, -y}, {x, y});
-  lines.add(HalfwayLine, {0.0, -y}, {0.0, y});
-  lines.add(LeftPenaltyStretch, {-area_x, -area_y}, {-area_x, area_y});
-  lines.add(RightPenaltyStretch, {area_x, -area_y}, {area_x, area_y});
-  lines.add(LeftFieldLeftPenaltyStretch, {-x, -area_y}, {-area_x, -area_y});
-  lines.add(LeftFieldRightPenaltyStretch, {-x, area_y}, {-area_x, area_y});
-  lines.add(RightFieldLeftPenaltyStretch, {x, area_y}, {area_x, area_y});
-  lines.add(RightFieldRightPenaltyStretch, {x, -area_y}, {area_x, -area_y});
-  lines.add_circle(CenterCircle, markings.center_circle_radius_mm);
+  lines.add("TopTouchLine", TopTouchLine, {-x, y}, {x, y});
+  lines.add("BottomTouchLine", BottomTouchLine, {-x, -y}, {x, -y});
+  lines.add("LeftGoalLine", LeftGoalLine, {-x, -y}, {-x, y});
+  lines.add("RightGoalLine", RightGoalLine, {x, -y}, {x, y});
+  lines.add("HalfwayLine", HalfwayLine, {0.0, -y}, {0.0, y});
+  lines.add("LeftPenaltyStretch", LeftPenaltyStretch, {-area_x, -area_y}, {-area_x, area_y});
+  lines.add("RightPenaltyStretch", RightPenaltyStretch, {area_x, -area_y}, {area_x, area_y});
+  lines.add("LeftFieldLeftPenaltyStretch", LeftFieldLeftPenaltyStretch, {-x, -area_y},
+            {-area_x, -area_y});
+  lines.add("LeftFieldRightPenaltyStretch", LeftFieldRightPenaltyStretch, {-x, area_y},
+            {-area_x, area_y});
+  lines.add("RightFieldLeftPenaltyStretch", RightFieldLeftPenaltyStretch, {x, area_y},
+            {area_x, area_y});
+  lines.add("RightFieldRightPenaltyStretch", RightFieldRightPenaltyStretch, {x, -area_y},
+            {area_x, -area_y});
+  lines.add_circle("CenterCircle", CenterCircle, markings.center_circle_radius_mm);
   return packet.SerializeAsString();
 }
 

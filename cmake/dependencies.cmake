@@ -6,6 +6,8 @@ find_package(fmt 9 REQUIRED)               # text formatting that is checked at 
 find_package(nlohmann_json 3.11 REQUIRED)  # JSON Lines out, truth and reports in
 find_package(ZLIB REQUIRED)                # pictures of reports as PNG
 find_package(CLI11 2.1 REQUIRED)           # command line of the program, one translation unit
+find_package(PkgConfig REQUIRED)           # for httplib, whose flags have to be those it was built with
+pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib>=0.11)  # HTTP for Maggic Studio
 find_package(hwy 1.0.3 REQUIRED)          # vector instructions, chosen when the program runs
 find_package(Protobuf 3.21 REQUIRED)       # packets of the network sinks: protoc and light runtime
 find_package(Threads REQUIRED)

@@ -55,6 +55,17 @@ TEST(CommandLine, LeavesAbsentOptionsEmpty) {
   EXPECT_FALSE(run.realtime);
 }
 
+TEST(CommandLine, TakesWhereTheStudioIsServed) {
+  const auto usual = command<StudioOptions>({"studio", "a.yaml", "--source", "0"});
+  EXPECT_EQ(usual.pipeline.source, "0");
+  EXPECT_EQ(usual.listen, "127.0.0.1");
+  EXPECT_EQ(usual.port, 8642);
+  const auto other =
+      command<StudioOptions>({"studio", "a.yaml", "--port", "0", "--listen", "0.0.0.0"});
+  EXPECT_EQ(other.listen, "0.0.0.0");
+  EXPECT_EQ(other.port, 0);
+}
+
 TEST(CommandLine, TakesPluginFoldersBeforeAndAfterTheCommand) {
   for (const auto& arguments :
        {std::vector<const char*>{"--plugin-path", "a", "--plugin-path", "b", "plugins"},
@@ -104,7 +115,7 @@ TEST(CommandLine, AMistypedCommandIsAnsweredWithTheKnownOnes) {
   EXPECT_EQ(end.code, kMistake);
   EXPECT_THAT(end.text,
               HasSubstr("unknown command 'rnu', did you mean 'run'? "
-                        "(known: run, calibrate, score, compare, bench, sweep, plot, import, "
+                        "(known: run, studio, calibrate, score, compare, bench, sweep, plot, import, "
                         "check, plugins, describe, new)"));
 }
 

@@ -101,6 +101,18 @@ void describe_run(CLI::App& command, RunOptionsGiven& run) {
   add_why(command, run.why);
 }
 
+void describe_studio(CLI::App& command, StudioOptions& studio) {
+  add_pipeline(command, studio.pipeline);
+  command.add_option("--port", studio.port, "Port of the page; 0: any free one")
+      ->transform(within(0, 65535, "a port, 0 to 65535"))
+      ->capture_default_str();
+  command
+      .add_option("--listen", studio.listen,
+                  "Address to serve the page on; other than this machine's own, it asks for the "
+                  "token that is printed")
+      ->capture_default_str();
+}
+
 void describe_score(CLI::App& command, ScoreOptions& score) {
   add_pipeline(command, score.pipeline);
   command.add_option("--truth", score.truth,
@@ -221,6 +233,8 @@ OfferedCommand offer_plot(CLI::App& app) {
 std::vector<OfferedCommand> offer_commands(CLI::App& app) {
   return {
       offer<RunOptionsGiven>(app, "run", "Run a pipeline on its source", describe_run),
+      offer<StudioOptions>(app, "studio", "Watch and tune a running pipeline from a browser",
+                           describe_studio),
       offer<CalibrateOptions>(app, "calibrate", "Find a venue's numbers from a few frames",
                               describe_calibrate),
       offer<ScoreOptions>(app, "score", "Run a pipeline and compare with the truth",

@@ -42,6 +42,12 @@ struct RunOptionsGiven {
   WhyOptions why;
 };
 
+struct StudioOptions {
+  PipelineOptions pipeline;
+  std::string listen = "127.0.0.1";  ///< Numeric address or name of this machine.
+  int port = 8642;                   ///< 0: any free one.
+};
+
 struct CheckOptions {
   std::vector<std::string> pipelines;
   PipelineOptions common;  ///< Its `pipeline` is not used.
@@ -116,7 +122,7 @@ struct NewOptions {
   std::filesystem::path folder;
 };
 
-using Command = std::variant<RunOptionsGiven, ScoreOptions, CompareOptions, BenchOptions,
+using Command = std::variant<RunOptionsGiven, StudioOptions, ScoreOptions, CompareOptions, BenchOptions,
                              SweepOptions, PlotNormalizerOptions, CalibrateOptions, ImportOptions,
                              CheckOptions, PluginsOptions, DescribeOptions, NewOptions>;
 
@@ -126,6 +132,7 @@ struct CommandLine {
 };
 
 ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line);
+ExitCode studio_command(const StudioOptions& options, const CommandLine& line);
 ExitCode score_command(const ScoreOptions& options, const CommandLine& line);
 ExitCode compare_command(const CompareOptions& options, const CommandLine& line);
 ExitCode bench_command(const BenchOptions& options, const CommandLine& line);

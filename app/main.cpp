@@ -22,6 +22,7 @@ using namespace maggic::app;
 struct Dispatch {
   const CommandLine& line;
   ExitCode operator()(const RunOptionsGiven& o) const { return run_command(o, line); }
+  ExitCode operator()(const StudioOptions& o) const { return studio_command(o, line); }
   ExitCode operator()(const ScoreOptions& o) const { return score_command(o, line); }
   ExitCode operator()(const CompareOptions& o) const { return compare_command(o, line); }
   ExitCode operator()(const BenchOptions& o) const { return bench_command(o, line); }

@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/console_reporter.hpp"
+#include "app/pipeline_notes.hpp"
 #include "app/pipeline_options.hpp"
 #include "app/progress.hpp"
 #include "app/stop_signals.hpp"
@@ -98,24 +99,10 @@ ExitCode run_command(const RunOptionsGiven& options, const CommandLine& line) {
   Console console(stderr);
   ConsoleReporter reporter(console);
   BuiltPipeline built = build_pipeline(request, registry, reporter);
-  for (const Mistake& note : built.notes) {
-    console.line(note.to_string(), Console::Tone::kWarning, "note: ");
-  }
-
-  std::vector<Mistake> known_notes;
-  const Node document = merged_document(request, known_notes);
-  std::vector<std::filesystem::path> configuration{request.pipeline};
-  if (request.calibration) configuration.push_back(*request.calibration);
-  check_outputs(document, configuration);
+  const Node document = checked_document(request);
   // The summary would spoil what is written there.
   const bool stdout_taken = writes_to_stdout(document);
-  if (options.pipeline.source && *options.pipeline.source != "synthetic" &&
-      !options.pipeline.calibration) {
-    console.line(fmt::format("no --calibration: corners and colours are those of {}, positions in "
-                             "millimetres may mean nothing for this camera",
-                             request.pipeline.string()),
-                 Console::Tone::kWarning, "note: ");
-  }
+  print_notes(built, options.pipeline, request, console);
 
   std::atomic<bool>& stop = stop_on_signals();
   try {

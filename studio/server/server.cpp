@@ -16,6 +16,7 @@
 #include "studio/server/json_answer.hpp"
 #include "studio/server/listener.hpp"
 #include "studio/server/page_files.hpp"
+#include "studio/server/reachable_address.hpp"
 #include "studio/server/routes.hpp"
 #include "studio/server/stream_slots.hpp"
 
@@ -158,10 +159,10 @@ int Server::port() const { return handler_->port(); }
 const std::string& Server::token() const { return handler_->token(); }
 
 std::string Server::url() const {
-  const std::string& listen = handler_->listen();
-  const bool brackets = listen.find(':') != listen.npos;
+  const std::string address = reachable_address(handler_->listen());
+  const bool brackets = address.find(':') != address.npos;
   std::string url =
-      fmt::format("http://{}{}{}:{}/", brackets ? "[" : "", listen, brackets ? "]" : "", port());
+      fmt::format("http://{}{}{}:{}/", brackets ? "[" : "", address, brackets ? "]" : "", port());
   if (!token().empty()) url += "?token=" + token();
   return url;
 }

@@ -244,5 +244,25 @@ TEST(OpenServerTest, OffersItselfToOthersWithATokenOnly) {
   EXPECT_EQ(client.Get("/api/state", {{"Authorization", "Bearer " + server.token()}})->status, 200);
 }
 
+TEST(OpenServerTest, TheAddressItTellsWorks) {
+  FakeSession session;
+  const Server server(session, {.listen = "0.0.0.0", .port = 0});
+  const std::string url = server.url();
+  const auto path = url.find("/?");
+  const httplib::Result page = httplib::Client(url.substr(0, path)).Get(url.substr(path));
+  ASSERT_TRUE(page) << url;
+  EXPECT_EQ(page->status, 200) << url;
+}
+
+TEST(OpenServerTest, AnAddressOfColonsIsToldInBrackets) {
+  FakeSession session;
+  try {
+    const Server server(session, {.listen = "::1", .port = 0});
+    EXPECT_EQ(server.url(), "http://[::1]:" + std::to_string(server.port()) + "/");
+  } catch (const std::runtime_error& error) {
+    GTEST_SKIP() << "no IPv6 here: " << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace maggic::studio

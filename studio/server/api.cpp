@@ -68,11 +68,16 @@ void answer_stream(Response& response, std::shared_ptr<Stream> stream, std::shar
       });
 }
 
-void answer_picture(Session& session, const Request& request, std::string_view name,
+void answer_picture(const ApiContext& c, const Request& request, std::string_view name,
                     Response& response) {
-  constexpr std::chrono::milliseconds kPatience(2000);
-  const std::string view = known_view(session, name);
-  const auto picture = session.next_picture(view, wanted_width_px(request), 0, kPatience);
+  using namespace std::chrono_literals;
+  const std::string view = known_view(c.session, name);
+  const int width_px = wanted_width_px(request);
+  const auto until = std::chrono::steady_clock::now() + 2s;
+  std::shared_ptr<const Picture> picture;
+  while (!picture && !c.stop.raised() && std::chrono::steady_clock::now() < until) {
+    picture = c.session.next_picture(view, width_px, 0, 100ms);
+  }
   if (!picture) throw BadRequest(503, "no picture came within two seconds");
   response.status = 200;
   response.set_header("Cache-Control", "no-store");
@@ -124,7 +129,7 @@ void add_api_routes(Routes& routes, const ApiContext& c) {
 
   routes.add("GET", "/api/picture/*.jpg",
              [c](const Request& request, std::string_view name, Response& response) {
-               answer_picture(c.session, request, name, response);
+               answer_picture(c, request, name, response);
              });
   routes.add("GET", "/api/stream/*.mjpg",
              [c](const Request& request, std::string_view name, Response& response) {

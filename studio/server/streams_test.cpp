@@ -135,6 +135,8 @@ TEST_F(StreamsTest, MoreEventStreamsThanMayBeOpenAreRefused) {
 }
 
 TEST_F(StreamsTest, StoppingEndsOpenStreamsAtOnce) {
+  RawClient picture(server_.port());
+  picture.request("GET", "/api/picture/never.jpg");
   RawClient pictures(server_.port());
   pictures.request("GET", "/api/stream/overlay.mjpg");
   pictures.read_until("image/jpeg");
@@ -148,7 +150,7 @@ TEST_F(StreamsTest, StoppingEndsOpenStreamsAtOnce) {
   const auto began = steady_clock::now();
   server_.stop();
   EXPECT_LT(steady_clock::now() - began, milliseconds(500));
-  for (RawClient* client : {&pictures, &never, &events}) {
+  for (RawClient* client : {&picture, &pictures, &never, &events}) {
     client->read_to_end();
     EXPECT_TRUE(client->closed());
   }

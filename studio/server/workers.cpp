@@ -24,6 +24,7 @@ void Workers::add(Socket connection) {
     if (waiting_.size() > idle_ && threads_.size() < most_) {
       try {
         threads_.emplace_back([this] { work(); });
+        ++idle_;
       } catch (const std::system_error&) {
         // A machine out of threads still has those made earlier; without any, nobody is served.
         if (threads_.empty()) waiting_.pop_back();
@@ -37,8 +38,6 @@ void Workers::add(Socket connection) {
 void Workers::work() {
   std::unique_lock lock(mutex_);
   for (;;) {
-    ++idle_;
-    crowded_ = waiting_.size() > idle_;
     changed_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
     --idle_;
     if (waiting_.empty()) return;
@@ -48,6 +47,8 @@ void Workers::work() {
     lock.unlock();
     serve_(std::move(next));
     lock.lock();
+    ++idle_;
+    crowded_ = waiting_.size() > idle_;
   }
 }
 

@@ -38,7 +38,7 @@ class Workers {
   std::condition_variable changed_;
   std::deque<Socket> waiting_;
   std::atomic<bool> crowded_{false};
-  std::size_t idle_ = 0;
+  std::size_t idle_ = 0;  ///< Threads that wait for connections, or are about to.
   bool ending_ = false;
   std::vector<std::thread> threads_;
 };

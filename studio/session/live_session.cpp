@@ -113,32 +113,38 @@ void LiveSession::on_frame(const FrameResult& result, const RunSummary& summary)
   processed_ = summary.processed;
   dropped_ = summary.dropped;
   questions_.answer(*built_.pipeline, result);
-  exchange_.between_frames();
-  wait_while_paused(result);
+  const bool is_exchanged = exchange_.between_frames();
+  wait_while_paused(result, is_exchanged);
 }
 
-void LiveSession::wait_while_paused(const FrameResult& result) {
-  std::unique_lock lock(mutex_);
-  while (paused_ && !std::exchange(one_step_, false) && !stop_) {
-    unpaused_.wait_for(lock, kBetweenLooksWhilePaused);
-    lock.unlock();
-    questions_.answer(*built_.pipeline, result);
-    if (exchange_.between_frames()) process_again(result);
-    lock.lock();
+void LiveSession::wait_while_paused(const FrameResult& result, bool is_exchanged) {
+  const auto goes_on = [&] {
+    const std::lock_guard lock(mutex_);
+    return !paused_ || std::exchange(one_step_, false) || stop_;
+  };
+  // What the pipeline in use made of the frame; null when it failed.
+  const FrameResult* shown = &result;
+  FrameResult again;
+  while (!goes_on()) {
+    if (is_exchanged) shown = process_again(result, again) ? &again : nullptr;
+    if (shown != nullptr) questions_.answer(*built_.pipeline, *shown);
+    is_exchanged = exchange_.between_frames();
+    std::unique_lock lock(mutex_);
+    if (!is_exchanged) unpaused_.wait_for(lock, kBetweenLooksWhilePaused);
   }
 }
 
-void LiveSession::process_again(const FrameResult& result) {
-  FrameResult again;
+bool LiveSession::process_again(const FrameResult& result, FrameResult& again) {
   again.frame = result.frame;
   again.frame.bgr = result.frame.bgr.clone();
   try {
-    if (built_.pipeline->process(again) != FrameOutcome::kProcessed) return;
+    if (built_.pipeline->process(again) != FrameOutcome::kProcessed) return false;
   } catch (const std::exception& e) {
     tell("error", e.what());
-    return;
+    return false;
   }
   frames_.offer(again, *built_.pipeline->field());
+  return true;
 }
 
 void LiveSession::tell(std::string_view level, std::string_view text) {

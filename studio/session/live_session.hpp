@@ -65,9 +65,11 @@ class LiveSession final : public Session {
  private:
   class FrameSink;
 
-  void wait_while_paused(const FrameResult& result);
+  /// @param is_exchanged whether another pipeline than the one in use made `result`.
+  void wait_while_paused(const FrameResult& result, bool is_exchanged);
   /// What the pipeline in use makes of a frame that went through another one.
-  void process_again(const FrameResult& result);
+  /// @return whether it could.
+  bool process_again(const FrameResult& result, FrameResult& again);
 
   BuiltPipeline& built_;
   const std::atomic<bool>& stop_;

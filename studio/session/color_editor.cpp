@@ -22,12 +22,40 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostSteps = 200;
 constexpr std::chrono::milliseconds kPatience{500};
 
-BadRequest refusal(const ConfigError& error) {
+// Changes that follow each other so closely are one: a pivot that is dragged.
+constexpr std::chrono::milliseconds kOneDrag{700};
+
+// The path that a mistake's message begins with, "pivots.red[0]: …"; empty when it has none.
+std::string_view path_in(std::string_view message) {
+  constexpr std::string_view kOfPaths = "abcdefghijklmnopqrstuvwxyz0123456789_.[]";
+  const std::size_t end = message.find(": ");
+  if (end == std::string_view::npos) return {};
+  const std::string_view path = message.substr(0, end);
+  return path.find_first_not_of(kOfPaths) == std::string_view::npos ? path : std::string_view();
+}
+
+/// @param segmenter whose parameters the paths in messages are.
+BadRequest refusal(const ConfigError& error, std::string_view segmenter) {
   nlohmann::json mistakes = nlohmann::json::array();
   for (const Mistake& mistake : error.mistakes()) {
-    mistakes.push_back({{"key", mistake.file}, {"message", mistake.message}});
+    const std::string_view path = path_in(mistake.message);
+    const std::string key = path.empty() ? "" : fmt::format("segmenter.{}.{}", segmenter, path);
+    mistakes.push_back({{"key", key}, {"message", mistake.message}});
   }
   return {422, nlohmann::json{{"mistakes", std::move(mistakes)}}};
+}
+
+std::string segmenter_in(const Node& document) {
+  const Node* section = document.find("segmenter");
+  return section != nullptr && section->entries.size() == 1 ? section->entries.front().key : "";
+}
+
+std::vector<std::string> keys_of(const nlohmann::json& change) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : change.items()) {
+    if (key != "revision") keys.push_back(key);
+  }
+  return keys;
 }
 
 // Sections that only a new start can change.
@@ -92,12 +120,18 @@ nlohmann::json ColorEditor::change(const nlohmann::json& change) {
   try {
     change_colors(document, change, now_.settings);
   } catch (const ConfigError& e) {
-    throw refusal(e);
+    throw refusal(e, segmenter_in(now_.document));
   }
   Version before = now_;
   use(std::move(document));
-  undo_.push_back(std::move(before));
+  const auto now = std::chrono::steady_clock::now();
+  std::vector<std::string> keys = keys_of(change);
+  if (undo_.empty() || keys != last_keys_ || now - last_change_ > kOneDrag) {
+    undo_.push_back(std::move(before));
+  }
   if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
+  last_keys_ = std::move(keys);
+  last_change_ = now;
   redo_.clear();
   tell_of_change();
   return answer();
@@ -117,6 +151,7 @@ nlohmann::json ColorEditor::step(std::vector<Version>& from, std::vector<Version
                                  std::string_view nothing_left) {
   if (from.empty()) throw BadRequest(409, std::string(nothing_left));
   Version before = now_;
+  last_keys_.clear();
   use(from.back().document);
   from.pop_back();
   to.push_back(std::move(before));
@@ -134,7 +169,7 @@ void ColorEditor::use(Node document) {
   try {
     built = build_pipeline(document, registry_, reporter_);
   } catch (const ConfigError& e) {
-    throw refusal(e);
+    throw refusal(e, segmenter_in(document));
   } catch (const StageError& e) {
     throw BadRequest(422, e.what());
   }
@@ -160,7 +195,7 @@ nlohmann::json ColorEditor::save(const nlohmann::json& request) {
     BuiltPipeline built = build_pipeline(now_.document, registry_, reporter_);
     write_colors(calibration, pipeline, built.pipeline->parts());
   } catch (const ConfigError& e) {
-    throw refusal(e);
+    throw refusal(e, segmenter_in(now_.document));
   }
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   const std::string text = fmt::format(
@@ -249,6 +284,7 @@ void ColorEditor::reload() {
   Version before = now_;
   use(std::move(document));
   undo_.push_back(std::move(before));
+  last_keys_.clear();
   redo_.clear();
   saved_settings_ = now_.settings;
   tell_of_change();

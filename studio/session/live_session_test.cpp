@@ -180,12 +180,33 @@ TEST(LiveSession, TheTableThatIsShownIsTheOneInUse) {
   EXPECT_EQ(running.session().plane(), before);
 }
 
+TEST(LiveSession, ADragIsOneStepOfUndo) {
+  Running running;
+  LiveSession& session = running.session();
+  json pivots = session.colors()["pivots"];
+  for (const int hue : {250, 248, 246}) {
+    pivots["red"] = json::array({hue});
+    session.change_colors({{"pivots", pivots}});
+  }
+  EXPECT_EQ(session.change_colors({{"gray_threshold", 50}})["undo"], 2);
+  EXPECT_EQ(session.undo()["pivots"]["red"], json({246}));
+  EXPECT_EQ(session.undo()["pivots"]["red"], json({252}));
+  EXPECT_EQ(session.redo()["pivots"]["red"], json({246}));
+}
+
+TEST(LiveSession, PivotsThatNobodyNamedAreShownAllTheSame) {
+  Running running;
+  json colors = running.session().change_colors({{"pivots", nullptr}});
+  EXPECT_EQ(colors["pivots"]["yellow"], json({43}));
+}
+
 TEST(LiveSession, AMistakeIsToldAndChangesNothing) {
   Running running;
   LiveSession& session = running.session();
   const BadRequest range = refused([&] { session.change_colors({{"gray_threshold", 300}}); });
   EXPECT_EQ(range.status(), 422);
   EXPECT_THAT(range.what(), HasSubstr("300 is out of range"));
+  EXPECT_EQ(range.body()["mistakes"][0]["key"], "segmenter.hue_pivots.gray_threshold");
   EXPECT_EQ(refused([&] { session.change_colors({{"pivots", {{"pink", {1}}}}}); }).status(), 422);
   EXPECT_EQ(refused([&] { session.change_colors({{"boxes", json::object()}}); }).status(), 422);
   EXPECT_EQ(refused([&] { session.change_colors({{"normalizer", "wishful"}}); }).status(), 422);

@@ -237,15 +237,16 @@ class HuePivots final : public maggic::ColorSegmenter {
 
   void prepare(const maggic::StageContext& context) override {
     palette_ = &context.palette;
-    used_pivots_ = pivots_or_defaults(context.palette);
-    if (used_pivots_.empty()) {
+    // From now on described as in use.
+    pivots_ = pivots_or_defaults(context.palette);
+    if (pivots_.empty()) {
       throw std::invalid_argument(fmt::format(
           "no pivots given, and the palette ({}) has none of the colours with a default pivot; "
           "expected pivots for the colours to be found",
           context.palette.known_names()));
     }
     hues_ = opencv_hues();
-    label_of_hue_ = nearest_pivots(used_pivots_);
+    label_of_hue_ = nearest_pivots(pivots_);
     label_of_index_.resize(hues_.size());
     std::ranges::transform(hues_, label_of_index_.begin(),
                            [&](std::uint8_t hue) { return label_of_hue_[hue]; });
@@ -576,7 +577,7 @@ class HuePivots final : public maggic::ColorSegmenter {
   /// The pivot nearest to a hue among those of all colours but `but`; ties as in `segment`.
   Nearest nearest_pivot(int hue, Label but = kBackground) const {
     Nearest nearest;
-    for (const auto& [label, pivot_hues] : used_pivots_) {
+    for (const auto& [label, pivot_hues] : pivots_) {
       if (label == but) continue;
       for (const int pivot : pivot_hues) {
         const int distance = distance_on_circle(hue, pivot);
@@ -647,11 +648,10 @@ class HuePivots final : public maggic::ColorSegmenter {
 
   int gray_threshold_ = 20;
   HueOf hue_of_ = HueOf::kOriginal;
-  Pivots pivots_;
+  Pivots pivots_;  ///< Those given; once prepared, the defaults where none were.
   std::vector<Exclusion> exclusions_;
 
   const maggic::Palette* palette_ = nullptr;
-  Pivots used_pivots_;                 ///< Those given, or the defaults.
   std::vector<std::uint8_t> hues_;     ///< At hue_index.
   std::vector<Label> label_of_index_;  ///< At hue_index.
   std::array<Label, kHues> label_of_hue_{};

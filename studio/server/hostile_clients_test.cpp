@@ -29,7 +29,7 @@ class HostileClientsTest : public ::testing::Test {
   static ConnectionLimits limits() {
     return {.request = milliseconds(2000),
             .request_when_crowded = milliseconds(50),
-            .write = milliseconds(300)};
+            .write = milliseconds(1000)};
   }
 
   /// Everything that comes back for `text`.
@@ -51,7 +51,7 @@ class HostileClientsTest : public ::testing::Test {
   int gray_threshold() { return session_.colors()["gray_threshold"].get<int>(); }
 
   /// Pictures so large that no socket takes one whole.
-  FakeSession session_{8 << 20};
+  FakeSession session_{1 << 20};
   Server server_{session_, {.port = 0, .most_picture_streams = 3, .connection = limits()}};
 };
 
@@ -163,7 +163,8 @@ TEST_F(HostileClientsTest, AReaderThatNeverReadsHoldsUpNobodyAndIsDropped) {
   RawClient eager(server_.port());
   eager.request("GET", "/api/stream/overlay.mjpg");
   for (int i = 0; i < 3; ++i) {
-    EXPECT_THAT(eager.read_until("--frame\r\n"), HasSubstr("--frame\r\n"));
+    // Not told by a matcher, which would print the picture.
+    EXPECT_TRUE(eager.read_until("--frame\r\n").ends_with("--frame\r\n"));
     EXPECT_TRUE(serves());
   }
   const auto until = steady_clock::now() + std::chrono::seconds(10);
@@ -178,7 +179,7 @@ TEST_F(HostileClientsTest, AReaderThatNeverReadsHoldsUpNobodyAndIsDropped) {
 }
 
 TEST_F(HostileClientsTest, StoppingDoesNotWaitForReadersThatNeverRead) {
-  FakeSession session(8 << 20);
+  FakeSession session(1 << 20);
   Server server(session, {.port = 0});  // With the ordinary, long patience.
   std::vector<RawClient> lazy;
   for (int i = 0; i < 8; ++i) {

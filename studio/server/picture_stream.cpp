@@ -29,7 +29,7 @@ bool PictureStream::send_next(httplib::DataSink& sink) {
   if (last_ == 0) part_ += "--frame\r\n";
   fmt::format_to(std::back_inserter(part_),
                  "Content-Type: image/jpeg\r\nContent-Length: {}\r\n\r\n", picture->jpeg.size());
-  part_.append(picture->jpeg.begin(), picture->jpeg.end());
+  part_.append(reinterpret_cast<const char*>(picture->jpeg.data()), picture->jpeg.size());
   // Browsers show a picture once the line that ends it is there.
   part_ += "\r\n--frame\r\n";
   last_ = picture->sequence;

@@ -8,7 +8,7 @@
 
 namespace maggic::studio {
 
-inline constexpr std::size_t kMostBodyBytes = 256 * 1024;
+inline constexpr std::size_t kMostBodyBytes = std::size_t{256} * 1024;
 
 struct Refusal {
   int status = 0;  ///< Of HTTP.

@@ -22,7 +22,7 @@ struct ConnectionLimits {
   /// What is written has to be taken by the reader's side after this.
   std::chrono::milliseconds write{5000};
   /// Of a request, head and body together.
-  std::size_t request_bytes = 320 * 1024;
+  std::size_t request_bytes = std::size_t{320} * 1024;
 };
 
 /// Serves one request, as the server closes every connection after one: what follows a request that

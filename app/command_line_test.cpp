@@ -113,10 +113,11 @@ TEST(CommandLine, AMistypedCommandIsAnsweredWithTheKnownOnes) {
   const auto parsed = parse({"--plugin-path", "x", "rnu", "a.yaml"});
   const auto& end = std::get<EarlyEnd>(parsed);
   EXPECT_EQ(end.code, kMistake);
-  EXPECT_THAT(end.text,
-              HasSubstr("unknown command 'rnu', did you mean 'run'? "
-                        "(known: run, studio, calibrate, score, compare, bench, sweep, plot, import, "
-                        "check, plugins, describe, new)"));
+  EXPECT_THAT(
+      end.text,
+      HasSubstr("unknown command 'rnu', did you mean 'run'? "
+                "(known: run, studio, calibrate, score, compare, bench, sweep, plot, import, "
+                "check, plugins, describe, new)"));
 }
 
 std::string mistake_text(std::vector<const char*> arguments) {

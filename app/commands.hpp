@@ -122,9 +122,10 @@ struct NewOptions {
   std::filesystem::path folder;
 };
 
-using Command = std::variant<RunOptionsGiven, StudioOptions, ScoreOptions, CompareOptions, BenchOptions,
-                             SweepOptions, PlotNormalizerOptions, CalibrateOptions, ImportOptions,
-                             CheckOptions, PluginsOptions, DescribeOptions, NewOptions>;
+using Command =
+    std::variant<RunOptionsGiven, StudioOptions, ScoreOptions, CompareOptions, BenchOptions,
+                 SweepOptions, PlotNormalizerOptions, CalibrateOptions, ImportOptions, CheckOptions,
+                 PluginsOptions, DescribeOptions, NewOptions>;
 
 struct CommandLine {
   std::vector<std::filesystem::path> plugin_folders;  ///< Searched after the usual ones.

@@ -1,10 +1,8 @@
 /// `maggic studio`: run the pipeline, and serve a page to watch and tune it with.
 
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <exception>
-#include <thread>
 
 #include <fmt/format.h>
 
@@ -33,12 +31,6 @@ bool run_with(studio::LiveSession& session, BuiltPipeline& built, const std::ato
   return summary.clean() && summary.taken() > 0;
 }
 
-/// What was found last can still be looked at.
-void wait_for(const std::atomic<bool>& stop) {
-  using namespace std::chrono_literals;
-  while (!stop) std::this_thread::sleep_for(50ms);
-}
-
 }  // namespace
 
 ExitCode studio_command(const StudioOptions& options, const CommandLine& line) {
@@ -64,7 +56,7 @@ ExitCode studio_command(const StudioOptions& options, const CommandLine& line) {
                                     : "the run has failed, see above; Ctrl-C ends the Studio";
       console.line(text, fine ? Console::Tone::kWarning : Console::Tone::kError, "note: ");
       session.tell(fine ? "note" : "error", text);
-      wait_for(stop);
+      session.stay_with_last_frame();
     }
     server.stop();
     reporter.print_totals();

@@ -117,6 +117,18 @@ void LiveSession::on_frame(const FrameResult& result, const RunSummary& summary)
   wait_while_paused(result, is_exchanged);
 }
 
+void LiveSession::stay_with_last_frame() {
+  while (!stop_) {
+    const std::shared_ptr<const KeptFrame> last = frames_.newest();
+    {
+      std::unique_lock lock(mutex_);
+      paused_ = true;
+      if (!last) unpaused_.wait_for(lock, kBetweenLooksWhilePaused);
+    }
+    if (last) wait_while_paused(last->result, true);
+  }
+}
+
 void LiveSession::wait_while_paused(const FrameResult& result, bool is_exchanged) {
   const auto goes_on = [&] {
     const std::lock_guard lock(mutex_);

@@ -36,6 +36,10 @@ class LiveSession final : public Session {
   /// To be called by the run loop after every frame, as `on_frame`. Waits while paused.
   void on_frame(const FrameResult& result, const RunSummary& summary);
 
+  /// When the run has ended by itself: answers and takes changes on the frame kept last, as when
+  /// paused, until `stop`.
+  void stay_with_last_frame();
+
   /// Tells listeners; see Session.
   void tell(std::string_view level, std::string_view text);
 

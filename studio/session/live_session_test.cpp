@@ -43,9 +43,11 @@ class Running {
  public:
   /// @param pace kRecorded: as fast as it goes, and nothing may be dropped.
   enum class Pace { kRealtime, kRecorded };
-  explicit Running(const std::string& calibration = "", Pace pace = Pace::kRealtime) {
+  explicit Running(const std::string& calibration = "", Pace pace = Pace::kRealtime,
+                   int frames = 100'000) {
     fs::current_path(folder_.path());
     std::ofstream(pipeline_) << kPipeline;
+    request_.assignments = {"source.synthetic_match.frames=" + std::to_string(frames)};
     request_.pipeline = pipeline_;
     if (!calibration.empty()) {
       std::ofstream("venue.yaml") << calibration;
@@ -66,6 +68,8 @@ class Running {
     session_.reset();
     fs::current_path(before_);
   }
+
+  void wait_for_the_sources_end() { run_.join(); }
 
   const RunSummary& end() {
     stop_ = true;
@@ -88,7 +92,7 @@ class Running {
 
  private:
   static constexpr const char* kPipeline = R"(
-source: {synthetic_match: {width: 320, height: 240, frames: 100000}}
+source: {synthetic_match: {width: 320, height: 240}}
 normalizer: weighted
 segmenter:
   hue_pivots:
@@ -333,6 +337,17 @@ TEST(LiveSession, PausedItStillAnswersAndTakesChanges) {
   EXPECT_EQ(refused([&] { session.pause(json::object()); }).status(), 422);
   EXPECT_EQ(session.pause({{"paused", false}})["running"], true);
   EXPECT_EQ(refused([&] { session.step(); }).status(), 409);
+}
+
+TEST(LiveSession, WhenTheSourceHasEndedTheLastFrameCanStillBeAskedAndTuned) {
+  Running running("", Running::Pace::kRecorded, 30);
+  LiveSession& session = running.session();
+  running.wait_for_the_sources_end();
+  const std::jthread stays([&] { session.stay_with_last_frame(); });
+  EXPECT_EQ(session.change_colors({{"gray_threshold", 40}})["gray_threshold"], 40);
+  EXPECT_THAT(session.explain(1, 1)["answers"], Not(IsEmpty()));
+  EXPECT_NE(session.next_picture("labels", 0, 0, kLong), nullptr);
+  running.end();
 }
 
 TEST(LiveSession, APausedRunEndsWhenItIsStopped) {

@@ -7,11 +7,15 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenPictures{30};
 constexpr std::chrono::seconds kInterest{2};
+// When nobody looks; so there is one to look at when frames cease to come.
+constexpr std::chrono::seconds kBetweenUnseen{1};
 
 }  // namespace
 
 bool NewestFrame::is_wanted(Clock::time_point now) {
-  return now - last_asked_ < kInterest && now - last_kept_ >= kBetweenPictures;
+  const Clock::duration since_last = now - last_kept_;
+  if (now - last_asked_ < kInterest) return since_last >= kBetweenPictures;
+  return since_last >= kBetweenUnseen;
 }
 
 void NewestFrame::offer(const FrameResult& result, const Field& field) {
@@ -42,6 +46,11 @@ std::shared_ptr<const KeptFrame> NewestFrame::next(std::uint64_t after,
   const bool came =
       kept_.wait_for(lock, timeout, [&] { return newest_ && newest_->number > after; });
   return came ? newest_ : nullptr;
+}
+
+std::shared_ptr<const KeptFrame> NewestFrame::newest() {
+  const std::lock_guard lock(mutex_);
+  return newest_;
 }
 
 }  // namespace maggic::studio

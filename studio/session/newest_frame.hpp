@@ -19,8 +19,8 @@ struct KeptFrame {
   std::shared_ptr<const Field> field;
 };
 
-/// Safe from any thread. Copies a frame only when someone asked for one lately, and at most 30 a
-/// second.
+/// Safe from any thread. Copies at most 30 frames a second while someone asks, and one a second
+/// otherwise.
 class NewestFrame {
  public:
   /// Takes a copy if one is wanted.
@@ -28,6 +28,9 @@ class NewestFrame {
 
   /// The newest frame kept, waiting for one newer than `after`; null when none came in time.
   std::shared_ptr<const KeptFrame> next(std::uint64_t after, std::chrono::milliseconds timeout);
+
+  /// Null when none was kept yet.
+  std::shared_ptr<const KeptFrame> newest();
 
  private:
   using Clock = std::chrono::steady_clock;

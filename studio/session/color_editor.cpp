@@ -2,6 +2,7 @@
 
 #include <array>
 #include <exception>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -123,7 +124,7 @@ nlohmann::json ColorEditor::change(const nlohmann::json& change) {
     throw refusal(e, segmenter_in(now_.document));
   }
   Version before = now_;
-  use(std::move(document));
+  use_or_refuse(std::move(document));
   const auto now = std::chrono::steady_clock::now();
   std::vector<std::string> keys = keys_of(change);
   if (undo_.empty() || keys != last_keys_ || now - last_change_ > kOneDrag) {
@@ -152,7 +153,7 @@ nlohmann::json ColorEditor::step(std::vector<Version>& from, std::vector<Version
   if (from.empty()) throw BadRequest(409, std::string(nothing_left));
   Version before = now_;
   last_keys_.clear();
-  use(from.back().document);
+  use_or_refuse(from.back().document);
   from.pop_back();
   to.push_back(std::move(before));
   tell_of_change();
@@ -165,20 +166,24 @@ void ColorEditor::tell_of_change() {
 }
 
 void ColorEditor::use(Node document) {
-  BuiltPipeline built;
-  try {
-    built = build_pipeline(document, registry_, reporter_);
-  } catch (const ConfigError& e) {
-    throw refusal(e, segmenter_in(document));
-  } catch (const StageError& e) {
-    throw BadRequest(422, e.what());
-  }
+  BuiltPipeline built = build_pipeline(document, registry_, reporter_);
   nlohmann::json settings = color_settings(built.pipeline->parts());
   compile_time_ = built.pipeline->table_compile_time();
   const History history =
       same(document, now_.document, kOfHistory) ? History::kKept : History::kNew;
   exchange_.offer(std::move(built.pipeline), history, kPatience);
   now_ = {std::move(document), std::move(settings)};
+}
+
+void ColorEditor::use_or_refuse(Node document) {
+  const std::string segmenter = segmenter_in(document);
+  try {
+    use(std::move(document));
+  } catch (const ConfigError& e) {
+    throw refusal(e, segmenter);
+  } catch (const StageError& e) {
+    throw BadRequest(422, e.what());
+  }
 }
 
 nlohmann::json ColorEditor::save(const nlohmann::json& request) {
@@ -266,10 +271,8 @@ void ColorEditor::follow_files() {
   try {
     reload();
     tell("note", "the pipeline's files were changed and are in use");
-  } catch (const ConfigError& e) {
+  } catch (const std::exception& e) {
     tell("error", fmt::format("a file was changed and is not used:\n{}", e.what()));
-  } catch (const BadRequest& e) {
-    tell("error", fmt::format("a file was changed and is not used: {}", e.what()));
   }
 }
 
@@ -277,9 +280,9 @@ void ColorEditor::reload() {
   std::vector<Mistake> notes;
   Node document = merged_document(request_, notes);
   if (!same(document, now_.document, kOfTheRun)) {
-    throw BadRequest(422,
-                     "source, sinks, palette and plugin folders are taken at the start: please "
-                     "start the Studio again");
+    throw std::runtime_error(
+        "source, sinks, palette and plugin folders are taken at the start: please "
+        "start the Studio again");
   }
   Version before = now_;
   use(std::move(document));

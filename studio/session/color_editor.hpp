@@ -50,8 +50,10 @@ class ColorEditor {
   };
   using FileTimes = std::vector<std::optional<std::filesystem::file_time_type>>;
 
-  /// Builds `document` and puts it to use. @throws BadRequest with its mistakes.
+  /// Builds `document` and puts it to use. @throws ConfigError, StageError; nothing changes then.
   void use(Node document);
+  /// The same for what the page asks. @throws BadRequest with its mistakes.
+  void use_or_refuse(Node document);
   nlohmann::json step(std::vector<Version>& from, std::vector<Version>& to,
                       std::string_view nothing_left);
   nlohmann::json answer() const;

@@ -8,6 +8,8 @@ find_package(ZLIB REQUIRED)                # pictures of reports as PNG
 find_package(CLI11 2.1 REQUIRED)           # command line of the program, one translation unit
 find_package(PkgConfig REQUIRED)           # for httplib, whose flags have to be those it was built with
 pkg_check_modules(httplib REQUIRED IMPORTED_TARGET cpp-httplib>=0.11)  # HTTP for Maggic Studio
+# Pictures for Maggic Studio: OpenCV's imgcodecs would make every start of the program 0.2 s longer.
+pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 find_package(hwy 1.0.3 REQUIRED)          # vector instructions, chosen when the program runs
 find_package(Protobuf 3.21 REQUIRED)       # packets of the network sinks: protoc and light runtime
 find_package(Threads REQUIRED)

@@ -112,6 +112,7 @@ nlohmann::json ColorEditor::answer() const {
 
 nlohmann::json ColorEditor::change(const nlohmann::json& change) {
   const std::lock_guard lock(mutex_);
+  const auto began = std::chrono::steady_clock::now();
   if (change.is_object() && change.contains("revision") && change["revision"] != revision_) {
     throw BadRequest(409, fmt::format("found a change of revision {}, which is now {}: look again "
                                       "first",
@@ -125,14 +126,13 @@ nlohmann::json ColorEditor::change(const nlohmann::json& change) {
   }
   Version before = now_;
   use_or_refuse(std::move(document));
-  const auto now = std::chrono::steady_clock::now();
   std::vector<std::string> keys = keys_of(change);
-  if (undo_.empty() || keys != last_keys_ || now - last_change_ > kOneDrag) {
+  if (undo_.empty() || keys != last_keys_ || began - last_change_ > kOneDrag) {
     undo_.push_back(std::move(before));
   }
   if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
   last_keys_ = std::move(keys);
-  last_change_ = now;
+  last_change_ = std::chrono::steady_clock::now();
   redo_.clear();
   tell_of_change();
   return answer();

@@ -75,7 +75,7 @@ class ColorEditor {
   std::vector<Version> redo_;
   /// Of the last change, so that a drag is one step of undo.
   std::vector<std::string> last_keys_;
-  std::chrono::steady_clock::time_point last_change_{};
+  std::chrono::steady_clock::time_point last_change_{};  ///< When it was done.
   std::uint64_t revision_ = 1;
   std::chrono::nanoseconds compile_time_{0};
   FileTimes read_at_;

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "maggic/label_picture.hpp"
+#include "studio/session/jpeg.hpp"
 
 namespace maggic::studio {
 namespace {
 
 constexpr std::size_t kMostShelves = 16;
-constexpr int kJpegQuality = 80;
 
 cv::Mat narrowed(const cv::Mat& picture, int width_px) {
   if (width_px <= 0 || width_px >= picture.cols) return picture;
@@ -41,8 +40,7 @@ std::shared_ptr<const Picture> ViewPictures::next(std::string_view view, int wid
   if (!shelf->newest || shelf->newest->sequence < frame->number) {
     auto picture = std::make_shared<Picture>();
     picture->sequence = frame->number;
-    cv::imencode(".jpg", narrowed(draw(view, *frame, shelf->overlay), width_px), picture->jpeg,
-                 {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+    picture->jpeg = jpeg_of(narrowed(draw(view, *frame, shelf->overlay), width_px));
     shelf->newest = std::move(picture);
   }
   return shelf->newest;

@@ -54,6 +54,15 @@ cv::Mat colored(const cv::Mat& bgr, int threshold) {
   return (largest - smallest) > threshold;
 }
 
+// As HSV_FULL has it; null for a gray.
+nlohmann::json hue_of(const cv::Vec3b& bgr) {
+  if (bgr[0] == bgr[1] && bgr[1] == bgr[2]) return nullptr;
+  const cv::Mat pixel(1, 1, CV_8UC3, cv::Scalar(bgr[0], bgr[1], bgr[2]));
+  cv::Mat hsv;
+  cv::cvtColor(pixel, hsv, cv::COLOR_BGR2HSV_FULL);
+  return hsv.at<cv::Vec3b>(0, 0)[0];
+}
+
 }  // namespace
 
 /// Keeps the newest frame, and tells how frames go.
@@ -155,7 +164,7 @@ bool LiveSession::process_again(const FrameResult& result, FrameResult& again) {
     tell("error", e.what());
     return false;
   }
-  frames_.offer(again, *built_.pipeline->field());
+  frames_.keep(again, *built_.pipeline->field());
   return true;
 }
 
@@ -245,6 +254,14 @@ nlohmann::json LiveSession::explain(int x_px, int y_px) {
                      fmt::format("found the pixel {},{}, expected one within {}×{}", x_px, y_px,
                                  answer->frame_size_px.width, answer->frame_size_px.height));
   }
+  // The one that the segmenter judges by.
+  const bool is_of_normalized = editor_.colors()["hue_of"] == "normalized";
+  nlohmann::json hue;
+  if (!is_of_normalized) {
+    hue = hue_of(answer->followed_bgr);
+  } else if (answer->normalized_bgr) {
+    hue = hue_of(*answer->normalized_bgr);
+  }
   nlohmann::json stages = nlohmann::json::array();
   for (const StageAnswer& stage : answer->stages) {
     stages.push_back({{"stage", stage.stage}, {"text", stage.text}});
@@ -252,6 +269,7 @@ nlohmann::json LiveSession::explain(int x_px, int y_px) {
   return {{"x", x_px},
           {"y", y_px},
           {"rgb", {answer->bgr[2], answer->bgr[1], answer->bgr[0]}},
+          {"hue", std::move(hue)},
           {"answers", std::move(stages)}};
 }
 

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "maggic/runner.hpp"
 #include "maggic/testing.hpp"
@@ -257,6 +258,29 @@ TEST(LiveSession, ExplainsAPixelThroughEveryStage) {
   EXPECT_EQ(answer["rgb"].size(), 3u);
   EXPECT_THAT(answer["answers"].dump(), HasSubstr("\"normalized\""));
   EXPECT_EQ(refused([&] { running.session().explain(320, 0); }).status(), 422);
+}
+
+TEST(LiveSession, TellsTheHueThatTheSegmenterJudgesBy) {
+  Running running;
+  LiveSession& session = running.session();
+  ASSERT_TRUE(next_event(session, "frame"));
+  session.pause({{"paused", true}});
+  // With a change the frame that is held is shown anew, at the latest when the next one is taken.
+  session.change_colors({{"gray_threshold", 55}});
+  session.change_colors({{"gray_threshold", 56}});
+  const auto picture = session.next_picture("labels", 0, 0, kLong);
+  ASSERT_NE(picture, nullptr);
+  // The middle of something: as bright all around, whatever JPEG does to edges.
+  cv::Mat brightness;
+  cv::reduce(cv::imdecode(picture->jpeg, cv::IMREAD_COLOR).reshape(1, 320 * 240), brightness, 1,
+             cv::REDUCE_MAX);
+  cv::erode(brightness.reshape(1, 240), brightness, cv::Mat::ones(5, 5, CV_8UC1));
+  cv::Point middle;
+  cv::minMaxLoc(brightness, nullptr, nullptr, nullptr, &middle);
+  const json answer = session.explain(middle.x, middle.y);
+  ASSERT_TRUE(answer["hue"].is_number()) << answer;
+  EXPECT_THAT(answer["answers"].dump(),
+              HasSubstr("hue " + std::to_string(answer["hue"].get<int>()) + " of the original"));
 }
 
 TEST(LiveSession, ShowsWhereTheFramesColoursLie) {

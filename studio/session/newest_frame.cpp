@@ -19,12 +19,14 @@ bool NewestFrame::is_wanted(Clock::time_point now) {
 }
 
 void NewestFrame::offer(const FrameResult& result, const Field& field) {
-  const Clock::time_point now = Clock::now();
   {
     const std::lock_guard lock(mutex_);
-    if (!is_wanted(now)) return;
-    last_kept_ = now;
+    if (!is_wanted(Clock::now())) return;
   }
+  keep(result, field);
+}
+
+void NewestFrame::keep(const FrameResult& result, const Field& field) {
   auto kept = std::make_shared<KeptFrame>();
   kept->result = result;
   // The picture is the pool's, which will be written over.
@@ -33,6 +35,7 @@ void NewestFrame::offer(const FrameResult& result, const Field& field) {
   kept->field = std::make_shared<const Field>(field);
   {
     const std::lock_guard lock(mutex_);
+    last_kept_ = Clock::now();
     kept->number = ++count_;
     newest_ = std::move(kept);
   }

@@ -26,6 +26,9 @@ class NewestFrame {
   /// Takes a copy if one is wanted.
   void offer(const FrameResult& result, const Field& field);
 
+  /// Takes a copy.
+  void keep(const FrameResult& result, const Field& field);
+
   /// The newest frame kept, waiting for one newer than `after`; null when none came in time.
   std::shared_ptr<const KeptFrame> next(std::uint64_t after, std::chrono::milliseconds timeout);
 

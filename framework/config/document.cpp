@@ -90,6 +90,19 @@ const Node* Node::find(std::string_view key) const {
 
 Node* Node::find(std::string_view key) { return const_cast<Node*>(std::as_const(*this).find(key)); }
 
+Node& Node::set(std::string_view key, Node value) {
+  if (kind != Kind::kMap) {
+    const Place stood = place;
+    *this = Node();
+    kind = Kind::kMap;
+    place = stood;
+  }
+  if (Node* known = find(key)) return *known = std::move(value);
+  const Place key_place = value.place;
+  entries.push_back({std::string(key), key_place, std::move(value)});
+  return entries.back().value;
+}
+
 Node parse_document(std::string_view text, std::string_view file_name,
                     const DocumentLimits& limits) {
   if (text.size() > limits.max_bytes) {

@@ -146,12 +146,7 @@ void TablePrinter::set_default(std::string_view key, Node value) {
     defaults_ = std::move(value);
     return;
   }
-  defaults_.kind = Node::Kind::kMap;
-  if (Node* known = defaults_.find(key)) {
-    *known = std::move(value);
-  } else {
-    defaults_.entries.push_back({std::string(key), {}, std::move(value)});
-  }
+  defaults_.set(key, std::move(value));
 }
 
 std::string TablePrinter::path_of(std::string_view key) const {

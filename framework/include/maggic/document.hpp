@@ -40,6 +40,9 @@ class Node {
   /// The value under `key` of a map; null pointer when it is absent or this is no map.
   const Node* find(std::string_view key) const;
   Node* find(std::string_view key);
+  /// Puts `value` under `key`, in the place of what is there or behind all others; what is no map
+  /// becomes one. @return where it stands now.
+  Node& set(std::string_view key, Node value);
 };
 
 struct Node::Entry {
@@ -66,8 +69,8 @@ Node parse_document(std::string_view text, std::string_view file_name,
 Node load_document(const std::filesystem::path& file, const DocumentLimits& limits = {});
 
 /// Lays `over` on `base`: maps are merged key by key, anything else replaces what was there, and
-/// `key: ~` removes a key. An `over` that is null as a whole (an empty file) changes nothing. Places
-/// follow their nodes.
+/// `key: ~` removes a key. An `over` that is null as a whole (an empty file) changes nothing.
+/// Places follow their nodes.
 void merge_document(Node& base, const Node& over);
 
 /// Applies `path.to.key=value`, the value being YAML (so lists and maps work). A path element

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "calibration/hue_clusters.hpp"
+#include "maggic/picture_colors.hpp"
 
 namespace maggic::calibration {
 namespace {

@@ -20,9 +20,6 @@ struct ChromaFrame {
 /// @throws what an ImageNormalizer throws.
 ChromaFrame make_chroma_frame(const cv::Mat& bgr, Normalizer& normalizer);
 
-/// `hue` of a colour as OpenCV's HSV_FULL has it, 0 … 255.
-int hue_of(cv::Vec3b bgr);
-
 /// Shortest way round the hue circle from `from` to `to`, in [-128, 128).
 double hue_difference(double to, double from);
 

@@ -6,6 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "calibration/tags_for_tests.hpp"
+#include "maggic/picture_colors.hpp"
 
 namespace maggic::calibration {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "calibration/chroma_frame.hpp"
 #include "calibration/tags_for_tests.hpp"
+#include "maggic/picture_colors.hpp"
 
 namespace maggic::calibration {
 namespace {

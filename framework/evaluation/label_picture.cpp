@@ -18,25 +18,21 @@ bool is_off(std::string_view value) { return value.empty() || value == "none" ||
 
 /// `parameters` with the threshold in it, whether or not it was there.
 Node with_threshold(Node parameters, int gray_threshold) {
-  if (parameters.kind != Node::Kind::kMap) {
-    const Place place = parameters.place;
-    parameters = Node();
-    parameters.kind = Node::Kind::kMap;
-    parameters.place = place;
-  }
   Node value;
   value.kind = Node::Kind::kScalar;
   value.place = parameters.place;
   value.scalar = std::to_string(gray_threshold);
-  if (Node* present = parameters.find(kThreshold)) {
-    *present = std::move(value);
-  } else {
-    parameters.entries.push_back({std::string(kThreshold), parameters.place, std::move(value)});
-  }
+  parameters.set(kThreshold, std::move(value));
   return parameters;
 }
 
 }  // namespace
+
+cv::Mat normalized_picture(const cv::Mat& bgr, Normalizer& normalizer) {
+  ImagePath path;
+  path.normalize(bgr, normalizer);
+  return path.normalized();
+}
 
 cv::Mat label_picture(const cv::Mat& bgr, Normalizer& normalizer, Segmenter& segmenter,
                       std::size_t palette_size) {

@@ -9,12 +9,12 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <opencv2/imgproc.hpp>
 
 #include "inspection/connected_runs.hpp"
 #include "maggic/blob_extractor.hpp"
 #include "maggic/field_area.hpp"
 #include "maggic/longest_runs.hpp"
+#include "maggic/picture_colors.hpp"
 #include "maggic/scan_area.hpp"
 #include "search/predicted_search.hpp"
 
@@ -36,10 +36,7 @@ OneColor color_at(const cv::Mat& bgr, cv::Point pixel_px) {
 }
 
 std::string hsv_text(const OneColor& color) {
-  const cv::Mat3b bgr(1, 1, cv::Vec3b(color.bgr[0], color.bgr[1], color.bgr[2]));
-  cv::Mat3b hsv;
-  cv::cvtColor(bgr, hsv, cv::COLOR_BGR2HSV_FULL);
-  const cv::Vec3b value = hsv(0, 0);
+  const cv::Vec3b value = hsv_of({color.bgr[0], color.bgr[1], color.bgr[2]});
   return fmt::format("hue {}, saturation {}, value {}", value[0], value[1], value[2]);
 }
 

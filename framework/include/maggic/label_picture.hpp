@@ -1,5 +1,5 @@
 #pragma once
-/// What a segmenter makes of a picture, to look at.
+/// What the stages make of a picture, to look at.
 
 #include <cstddef>
 #include <optional>
@@ -13,6 +13,11 @@
 #include "maggic/segmenter.hpp"
 
 namespace maggic {
+
+/// The picture as a normalizer makes it.
+/// @param bgr CV_8UC3, at least 1×1. @return CV_8UC3 of the same size.
+/// @throws std::exception what the normalizer throws, or when it makes what it must not.
+cv::Mat normalized_picture(const cv::Mat& bgr, Normalizer& normalizer);
 
 /// The label of every pixel, without a table for all colours.
 /// @param bgr CV_8UC3, at least 1×1. @return CV_8UC1 of the same size, labels below `palette_size`.

@@ -13,7 +13,6 @@
 #include "maggic/atomic_file.hpp"
 #include "maggic/config_error.hpp"
 #include "studio/session/bad_request.hpp"
-#include "studio/session/color_settings.hpp"
 
 namespace maggic::studio {
 namespace {
@@ -44,11 +43,6 @@ BadRequest refusal(const ConfigError& error, std::string_view segmenter) {
     mistakes.push_back({{"key", key}, {"message", mistake.message}});
   }
   return {422, nlohmann::json{{"mistakes", std::move(mistakes)}}};
-}
-
-std::string segmenter_in(const Node& document) {
-  const Node* section = document.find("segmenter");
-  return section != nullptr && section->entries.size() == 1 ? section->entries.front().key : "";
 }
 
 std::vector<std::string> keys_of(const nlohmann::json& change) {
@@ -91,8 +85,8 @@ ColorEditor::ColorEditor(PipelineRequest request, const Pipeline& running,
       compile_time_(running.table_compile_time()) {
   std::vector<Mistake> notes;
   read_at_ = file_times();
-  now_ = {merged_document(request_, notes), color_settings(running.parts())};
-  saved_settings_ = now_.settings;
+  now_ = {merged_document(request_, notes), color_stages(running.parts())};
+  saved_settings_ = color_settings(now_.stages);
 }
 
 nlohmann::json ColorEditor::colors() const {
@@ -101,11 +95,11 @@ nlohmann::json ColorEditor::colors() const {
 }
 
 nlohmann::json ColorEditor::answer() const {
-  nlohmann::json told = now_.settings;
+  nlohmann::json told = color_settings(now_.stages);
+  told["unsaved"] = told != saved_settings_;
   told["revision"] = revision_;
   told["undo"] = undo_.size();
   told["redo"] = redo_.size();
-  told["unsaved"] = now_.settings != saved_settings_;
   told["compile_ms"] = std::chrono::duration<double, std::milli>(compile_time_).count();
   return told;
 }
@@ -120,12 +114,11 @@ nlohmann::json ColorEditor::change(const nlohmann::json& change) {
   }
   Node document = now_.document;
   try {
-    change_colors(document, change, now_.settings);
+    change_colors(document, change);
   } catch (const ConfigError& e) {
-    throw refusal(e, segmenter_in(now_.document));
+    throw refusal(e, plugin_in(now_.document, "segmenter"));
   }
-  Version before = now_;
-  use_or_refuse(std::move(document));
+  Version before = use_or_refuse(std::move(document));
   std::vector<std::string> keys = keys_of(change);
   if (undo_.empty() || keys != last_keys_ || began - last_change_ > kOneDrag) {
     undo_.push_back(std::move(before));
@@ -151,11 +144,9 @@ nlohmann::json ColorEditor::redo() {
 nlohmann::json ColorEditor::step(std::vector<Version>& from, std::vector<Version>& to,
                                  std::string_view nothing_left) {
   if (from.empty()) throw BadRequest(409, std::string(nothing_left));
-  Version before = now_;
   last_keys_.clear();
-  use_or_refuse(from.back().document);
+  to.push_back(use_or_refuse(from.back().document));
   from.pop_back();
-  to.push_back(std::move(before));
   tell_of_change();
   return answer();
 }
@@ -165,20 +156,20 @@ void ColorEditor::tell_of_change() {
   events_.add("settings", nlohmann::json{{"revision", revision_}}.dump());
 }
 
-void ColorEditor::use(Node document) {
+ColorEditor::Version ColorEditor::use(Node document) {
   BuiltPipeline built = build_pipeline(document, registry_, reporter_);
-  nlohmann::json settings = color_settings(built.pipeline->parts());
+  ColorStages stages = color_stages(built.pipeline->parts());
   compile_time_ = built.pipeline->table_compile_time();
   const History history =
       same(document, now_.document, kOfHistory) ? History::kKept : History::kNew;
   exchange_.offer(std::move(built.pipeline), history, kPatience);
-  now_ = {std::move(document), std::move(settings)};
+  return std::exchange(now_, {std::move(document), std::move(stages)});
 }
 
-void ColorEditor::use_or_refuse(Node document) {
-  const std::string segmenter = segmenter_in(document);
+ColorEditor::Version ColorEditor::use_or_refuse(Node document) {
+  const std::string segmenter = plugin_in(document, "segmenter");
   try {
-    use(std::move(document));
+    return use(std::move(document));
   } catch (const ConfigError& e) {
     throw refusal(e, segmenter);
   } catch (const StageError& e) {
@@ -197,10 +188,9 @@ nlohmann::json ColorEditor::save(const nlohmann::json& request) {
     std::vector<Mistake> notes;
     const Node pipeline = merged_document(without, notes);
     if (fs::exists(file, error)) calibration = load_document(file);
-    BuiltPipeline built = build_pipeline(now_.document, registry_, reporter_);
-    write_colors(calibration, pipeline, built.pipeline->parts());
+    write_colors(calibration, pipeline, now_.stages);
   } catch (const ConfigError& e) {
-    throw refusal(e, segmenter_in(now_.document));
+    throw refusal(e, plugin_in(now_.document, "segmenter"));
   }
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   const std::string text = fmt::format(
@@ -215,7 +205,7 @@ nlohmann::json ColorEditor::save(const nlohmann::json& request) {
   }
   request_.calibration = file;
   read_at_ = file_times();
-  saved_settings_ = now_.settings;
+  saved_settings_ = color_settings(now_.stages);
   tell_of_change();
   return {{"file", fs::absolute(file).string()}};
 }
@@ -265,14 +255,11 @@ void ColorEditor::follow_files() {
   FileTimes times = file_times();
   if (times == read_at_) return;
   read_at_ = std::move(times);
-  const auto tell = [&](std::string_view level, const std::string& text) {
-    events_.add("message", nlohmann::json{{"level", level}, {"text", text}}.dump());
-  };
   try {
     reload();
-    tell("note", "the pipeline's files were changed and are in use");
+    events_.tell("note", "the pipeline's files were changed and are in use");
   } catch (const std::exception& e) {
-    tell("error", fmt::format("a file was changed and is not used:\n{}", e.what()));
+    events_.tell("error", fmt::format("a file was changed and is not used:\n{}", e.what()));
   }
 }
 
@@ -284,12 +271,10 @@ void ColorEditor::reload() {
         "source, sinks, palette and plugin folders are taken at the start: please "
         "start the Studio again");
   }
-  Version before = now_;
-  use(std::move(document));
-  undo_.push_back(std::move(before));
+  undo_.push_back(use(std::move(document)));
   last_keys_.clear();
   redo_.clear();
-  saved_settings_ = now_.settings;
+  saved_settings_ = color_settings(now_.stages);
   tell_of_change();
 }
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "maggic/pipeline_builder.hpp"
+#include "studio/session/color_settings.hpp"
 #include "studio/session/event_log.hpp"
 #include "studio/session/pipeline_exchange.hpp"
 
@@ -46,14 +47,15 @@ class ColorEditor {
   /// A document and what its stages say of themselves.
   struct Version {
     Node document;
-    nlohmann::json settings;
+    ColorStages stages;
   };
   using FileTimes = std::vector<std::optional<std::filesystem::file_time_type>>;
 
-  /// Builds `document` and puts it to use. @throws ConfigError, StageError; nothing changes then.
-  void use(Node document);
+  /// Builds `document` and puts it to use. @return the version before.
+  /// @throws ConfigError, StageError; nothing changes then.
+  Version use(Node document);
   /// The same for what the page asks. @throws BadRequest with its mistakes.
-  void use_or_refuse(Node document);
+  Version use_or_refuse(Node document);
   nlohmann::json step(std::vector<Version>& from, std::vector<Version>& to,
                       std::string_view nothing_left);
   nlohmann::json answer() const;

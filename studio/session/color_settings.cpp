@@ -21,33 +21,19 @@ constexpr std::array<std::string_view, 5> kOfSegmenter{"gray_threshold", "hue_of
                                                        "exclude", "boxes"};
 
 // The map under `key`, made where there is none.
-Node& map_under(Node& node, const std::string& key) {
-  node.kind = Node::Kind::kMap;
+Node& map_under(Node& node, std::string_view key) {
   Node* found = node.find(key);
-  if (found == nullptr) {
-    node.entries.push_back({key, {}, {}});
-    found = &node.entries.back().value;
-  }
-  if (found->kind != Node::Kind::kMap) {
-    *found = {};
-    found->kind = Node::Kind::kMap;
-  }
-  return *found;
-}
-
-void set(Node& map, const std::string& key, Node value) {
-  if (Node* known = map.find(key)) {
-    *known = std::move(value);
-  } else {
-    map.entries.push_back({key, {}, std::move(value)});
-  }
+  if (found != nullptr && found->kind == Node::Kind::kMap) return *found;
+  Node map;
+  map.kind = Node::Kind::kMap;
+  return node.set(key, std::move(map));
 }
 
 // Makes `map` hold the entries of `wanted`, those it had in their places.
 void replace_entries(Node& map, const Node& wanted) {
   std::erase_if(map.entries,
                 [&](const Node::Entry& entry) { return wanted.find(entry.key) == nullptr; });
-  for (const Node::Entry& entry : wanted.entries) set(map, entry.key, entry.value);
+  for (const Node::Entry& entry : wanted.entries) map.set(entry.key, entry.value);
 }
 
 Node values_of(Stage& stage, const Palette& palette) {
@@ -61,13 +47,6 @@ std::string text_of(const nlohmann::json& value, std::string_view key) {
   return value.get<std::string>();
 }
 
-void choose_stage(Node& document, std::string_view kind, const std::string& plugin) {
-  Node section;
-  section.kind = Node::Kind::kMap;
-  map_under(section, plugin);
-  set(document, std::string(kind), std::move(section));
-}
-
 // The entries of `before` that `now` has no more, as removals.
 void remove_missing(Node& now, const Node& before) {
   for (const Node::Entry& entry : before.entries) {
@@ -77,18 +56,26 @@ void remove_missing(Node& now, const Node& before) {
 
 }  // namespace
 
-nlohmann::json color_settings(const PipelineParts& parts) {
-  nlohmann::json settings{{"normalizer", parts.normalizer.name},
-                          {"segmenter", parts.segmenter.name}};
-  const Node values = values_of(*parts.segmenter.stage, parts.palette);
+ColorStages color_stages(const PipelineParts& parts) {
+  return {parts.normalizer.name, values_of(*parts.normalizer.stage, parts.palette),
+          parts.segmenter.name, values_of(*parts.segmenter.stage, parts.palette)};
+}
+
+nlohmann::json color_settings(const ColorStages& stages) {
+  nlohmann::json settings{{"normalizer", stages.normalizer}, {"segmenter", stages.segmenter}};
   for (const std::string_view key : kOfSegmenter) {
-    const Node* value = values.find(key);
+    const Node* value = stages.segmenter_values.find(key);
     settings[std::string(key)] = value != nullptr ? to_json(*value) : nlohmann::json();
   }
   return settings;
 }
 
-void change_colors(Node& document, const nlohmann::json& change, const nlohmann::json& settings) {
+std::string plugin_in(const Node& document, std::string_view section) {
+  const Node* stage = document.find(section);
+  return stage != nullptr && stage->entries.size() == 1 ? stage->entries.front().key : "";
+}
+
+void change_colors(Node& document, const nlohmann::json& change) {
   if (!change.is_object()) {
     throw BadRequest(422, fmt::format("found {}, expected an object", change.type_name()));
   }
@@ -96,36 +83,31 @@ void change_colors(Node& document, const nlohmann::json& change, const nlohmann:
     const auto wanted = change.find(kind);
     if (wanted == change.end()) continue;
     const std::string plugin = text_of(*wanted, kind);
-    if (plugin != settings.at(std::string(kind))) choose_stage(document, kind, plugin);
+    if (plugin == plugin_in(document, kind)) continue;
+    map_under(document.set(kind, {}), plugin);
   }
-  const std::string segmenter = change.value("segmenter", settings.at("segmenter"));
-  Node& numbers = map_under(map_under(document, "segmenter"), segmenter);
-  const bool is_same = segmenter == settings.at("segmenter");
+  Node& numbers = map_under(map_under(document, "segmenter"), plugin_in(document, "segmenter"));
   for (const auto& [key, value] : change.items()) {
     if (std::ranges::find(kStages, key) != kStages.end() || key == "revision") continue;
-    const bool is_known = std::ranges::find(kOfSegmenter, key) != kOfSegmenter.end() &&
-                          !(is_same && settings.at(key).is_null() && !value.is_null());
-    if (!is_known && !(is_same && key == "gray_threshold")) {
-      throw BadRequest(422, fmt::format("found the setting '{}', expected one that {} has (known: "
-                                        "{}, {})",
-                                        key, segmenter, fmt::join(kStages, ", "),
-                                        fmt::join(kOfSegmenter, ", ")));
+    if (std::ranges::find(kOfSegmenter, key) == kOfSegmenter.end()) {
+      throw BadRequest(
+          422, fmt::format("found the setting '{}', expected a known one (known: {}, {})", key,
+                           fmt::join(kStages, ", "), fmt::join(kOfSegmenter, ", ")));
     }
-    const Node wanted = to_node(value, "the page");
+    Node wanted = to_node(value, "the page");
     Node* held = numbers.find(key);
     if (held != nullptr && held->kind == Node::Kind::kMap && wanted.kind == Node::Kind::kMap) {
       replace_entries(*held, wanted);
     } else if (wanted.kind == Node::Kind::kNull) {
       std::erase_if(numbers.entries, [&](const Node::Entry& entry) { return entry.key == key; });
     } else {
-      set(numbers, key, wanted);
+      numbers.set(key, std::move(wanted));
     }
   }
 }
 
-void write_colors(Node& calibration, const Node& pipeline, const PipelineParts& parts) {
-  const auto write = [&](const std::string& kind, const std::string& plugin, Stage& stage) {
-    Node values = values_of(stage, parts.palette);
+void write_colors(Node& calibration, const Node& pipeline, const ColorStages& stages) {
+  const auto write = [&](std::string_view kind, const std::string& plugin, Node values) {
     const Node* section = pipeline.find(kind);
     const Node* before = section != nullptr ? section->find(plugin) : nullptr;
     for (Node::Entry& entry : values.entries) {
@@ -133,11 +115,11 @@ void write_colors(Node& calibration, const Node& pipeline, const PipelineParts& 
       if (held != nullptr && held->kind == Node::Kind::kMap) remove_missing(entry.value, *held);
     }
     if (values.kind == Node::Kind::kMap) {
-      set(map_under(calibration, kind), plugin, std::move(values));
+      map_under(calibration, kind).set(plugin, std::move(values));
     }
   };
-  write("normalizer", parts.normalizer.name, *parts.normalizer.stage);
-  write("segmenter", parts.segmenter.name, *parts.segmenter.stage);
+  write("normalizer", stages.normalizer, stages.normalizer_values);
+  write("segmenter", stages.segmenter, stages.segmenter_values);
 }
 
 }  // namespace maggic::studio

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 namespace maggic::studio {
 
 void EventLog::add(std::string name, std::string data) {
@@ -12,6 +14,11 @@ void EventLog::add(std::string name, std::string data) {
     if (events_.size() > kKept) events_.pop_front();
   }
   added_.notify_all();
+}
+
+void EventLog::tell(std::string_view level, std::string_view text) {
+  const nlohmann::json message{{"level", level}, {"text", text}};
+  add("message", message.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 std::optional<Event> EventLog::next(std::uint64_t after, std::chrono::milliseconds timeout) {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "studio/session/event.hpp"
 
@@ -17,6 +18,10 @@ namespace maggic::studio {
 class EventLog {
  public:
   void add(std::string name, std::string data);
+
+  /// Adds a message for whoever looks at the page.
+  /// @param level `error`, `warning` or `note`. @param text bytes that are not UTF-8 are replaced.
+  void tell(std::string_view level, std::string_view text);
 
   /// See Session::next_event.
   std::optional<Event> next(std::uint64_t after, std::chrono::milliseconds timeout);

@@ -3,20 +3,6 @@
 #include <utility>
 
 namespace maggic::studio {
-namespace {
-
-std::optional<cv::Vec3b> normalized(const Pipeline& pipeline, const cv::Vec3b& bgr) {
-  const auto* normalizer =
-      dynamic_cast<const ColorNormalizer*>(pipeline.parts().normalizer.stage.get());
-  if (normalizer == nullptr) return {};
-  cv::Vec3b out;
-  normalizer->normalize({{&bgr[0], 1}, {&bgr[1], 1}, {&bgr[2], 1}},
-                        {{&out[0], 1}, {&out[1], 1}, {&out[2], 1}});
-  return out;
-}
-
-}  // namespace
-
 std::optional<PixelAnswer> FrameQuestions::ask(cv::Point pixel_px,
                                                std::chrono::milliseconds timeout) {
   const std::lock_guard asking(asking_);
@@ -40,7 +26,6 @@ void FrameQuestions::answer(const Pipeline& pipeline, const FrameResult& result)
       answer.bgr = result.frame.bgr.at<cv::Vec3b>(pixel_px_);
       const ChannelGains* gains = pipeline.channel_gains();
       answer.followed_bgr = gains != nullptr ? (*gains)(answer.bgr) : answer.bgr;
-      answer.normalized_bgr = normalized(pipeline, answer.followed_bgr);
       answer.stages = explain_point(pipeline, result, pixel_px_);
     }
     answer_ = std::move(answer);

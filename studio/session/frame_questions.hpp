@@ -17,10 +17,9 @@ namespace maggic::studio {
 /// What became of a pixel.
 struct PixelAnswer {
   cv::Size frame_size_px;
-  cv::Vec3b bgr;                            ///< As it came.
-  cv::Vec3b followed_bgr;                   ///< Taken back to the light of the calibration.
-  std::optional<cv::Vec3b> normalized_bgr;  ///< Nothing where the normalizer needs the picture.
-  std::vector<StageAnswer> stages;          ///< Empty when the pixel lies outside of the frame.
+  cv::Vec3b bgr;                    ///< As it came.
+  cv::Vec3b followed_bgr;           ///< Taken back to the light of the calibration.
+  std::vector<StageAnswer> stages;  ///< Empty when the pixel lies outside of the frame.
 };
 
 /// One question at a time; a second asker waits for the first.

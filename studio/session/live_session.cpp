@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "maggic/base64.hpp"
+#include "maggic/picture_colors.hpp"
 #include "studio/session/hue_plane.hpp"
 
 namespace maggic::studio {
@@ -45,22 +46,10 @@ cv::Mat sampled(const cv::Mat& bgr) {
   return sample;
 }
 
-// Pixels whose channels differ by more than `threshold`.
-cv::Mat colored(const cv::Mat& bgr, int threshold) {
-  std::vector<cv::Mat> planes;
-  cv::split(bgr, planes);
-  const cv::Mat largest = cv::max(cv::max(planes[0], planes[1]), planes[2]);
-  const cv::Mat smallest = cv::min(cv::min(planes[0], planes[1]), planes[2]);
-  return (largest - smallest) > threshold;
-}
-
-// As HSV_FULL has it; null for a gray.
-nlohmann::json hue_of(const cv::Vec3b& bgr) {
+// Null for a gray.
+nlohmann::json hue_in_json(const cv::Vec3b& bgr) {
   if (bgr[0] == bgr[1] && bgr[1] == bgr[2]) return nullptr;
-  const cv::Mat pixel(1, 1, CV_8UC3, cv::Scalar(bgr[0], bgr[1], bgr[2]));
-  cv::Mat hsv;
-  cv::cvtColor(pixel, hsv, cv::COLOR_BGR2HSV_FULL);
-  return hsv.at<cv::Vec3b>(0, 0)[0];
+  return hue_of(bgr);
 }
 
 }  // namespace
@@ -156,21 +145,15 @@ void LiveSession::wait_while_paused(const FrameResult& result, bool is_exchanged
 }
 
 bool LiveSession::process_again(const FrameResult& result, FrameResult& again) {
-  again.frame = result.frame;
-  again.frame.bgr = result.frame.bgr.clone();
+  again.frame = result.frame;  // its picture is shared: processed once, it is not written to again
   try {
     if (built_.pipeline->process(again) != FrameOutcome::kProcessed) return false;
   } catch (const std::exception& e) {
-    tell("error", e.what());
+    events_.tell("error", e.what());
     return false;
   }
   frames_.keep(again, *built_.pipeline->field());
   return true;
-}
-
-void LiveSession::tell(std::string_view level, std::string_view text) {
-  events_.add("message", nlohmann::json{{"level", level}, {"text", text}}.dump(
-                             -1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 nlohmann::json LiveSession::state() const {
@@ -225,12 +208,12 @@ nlohmann::json LiveSession::density() {
   const std::shared_ptr<const KeptFrame> frame = frames_.next(0, kPatience);
   if (!frame) throw BadRequest(503, "no frame has come yet");
   const cv::Mat bgr = sampled(frame->result.frame.bgr);
-  const cv::Mat normalized = pictures_.normalized(bgr);
+  const cv::Mat normalized = pictures_.normalized(bgr).value_or(bgr);
   const nlohmann::json colors = editor_.colors();
   const int threshold =
       colors["gray_threshold"].is_number() ? colors["gray_threshold"].get<int>() : 0;
   const cv::Mat& of_hue = colors["hue_of"] == "normalized" ? normalized : bgr;
-  const HueDensity density = hue_density(of_hue, colored(normalized, threshold));
+  const HueDensity density = hue_density(of_hue, channel_spread(normalized) > threshold);
   return {{"hue_value", plane_as_json(density.by_value, "counts")},
           {"hue_saturation", plane_as_json(density.by_saturation, "counts")}};
 }
@@ -255,13 +238,9 @@ nlohmann::json LiveSession::explain(int x_px, int y_px) {
                                  answer->frame_size_px.width, answer->frame_size_px.height));
   }
   // The one that the segmenter judges by.
-  const bool is_of_normalized = editor_.colors()["hue_of"] == "normalized";
-  nlohmann::json hue;
-  if (!is_of_normalized) {
-    hue = hue_of(answer->followed_bgr);
-  } else if (answer->normalized_bgr) {
-    hue = hue_of(*answer->normalized_bgr);
-  }
+  std::optional<cv::Mat> judged(cv::Mat3b(1, 1, answer->followed_bgr));
+  if (editor_.colors()["hue_of"] == "normalized") judged = pictures_.normalized(*judged);
+  const nlohmann::json hue = judged ? hue_in_json(judged->at<cv::Vec3b>(0, 0)) : nullptr;
   nlohmann::json stages = nlohmann::json::array();
   for (const StageAnswer& stage : answer->stages) {
     stages.push_back({{"stage", stage.stage}, {"text", stage.text}});
@@ -269,7 +248,7 @@ nlohmann::json LiveSession::explain(int x_px, int y_px) {
   return {{"x", x_px},
           {"y", y_px},
           {"rgb", {answer->bgr[2], answer->bgr[1], answer->bgr[0]}},
-          {"hue", std::move(hue)},
+          {"hue", hue},
           {"answers", std::move(stages)}};
 }
 

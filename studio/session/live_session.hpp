@@ -41,7 +41,7 @@ class LiveSession final : public Session {
   void stay_with_last_frame();
 
   /// Tells listeners; see Session.
-  void tell(std::string_view level, std::string_view text);
+  void tell(std::string_view level, std::string_view text) { events_.tell(level, text); }
 
   nlohmann::json state() const override;
   nlohmann::json pause(const nlohmann::json& request) override;

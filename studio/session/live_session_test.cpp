@@ -88,7 +88,7 @@ class Running {
     PipelineRequest request = request_;
     request.calibration = calibration;
     const BuiltPipeline built = build_pipeline(request, testing::registry(), reporter_);
-    return color_settings(built.pipeline->parts());
+    return color_settings(color_stages(built.pipeline->parts()));
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "maggic/label_picture.hpp"
+#include "maggic/run_scanner.hpp"
 #include "studio/session/jpeg.hpp"
 
 namespace maggic::studio {
@@ -70,44 +71,30 @@ cv::Mat ViewPictures::draw(std::string_view view, const KeptFrame& frame, Overla
     overlay.draw(frame.result, *frame.field, picture);
     return picture;
   }
-  if (view == "normalized") return normalized(bgr);
+  if (view == "normalized") return normalized(bgr).value_or(bgr);
   if (view == "filtered") {
     cv::Mat picture;
-    normalized(bgr).copyTo(picture, labels(frame) != kBackground);
+    normalized(bgr).value_or(bgr).copyTo(picture, labels(frame) != kBackground);
     return picture;
   }
   if (view == "labels") return colored_labels(labels(frame), palette_);
   return bgr;
 }
 
-cv::Mat ViewPictures::normalized(const cv::Mat& bgr) {
-  cv::Mat picture = bgr;
+std::optional<cv::Mat> ViewPictures::normalized(const cv::Mat& bgr) {
+  std::optional<cv::Mat> picture;
   exchange_.with_pipeline([&](const Pipeline& pipeline) {
-    const auto* normalizer =
-        dynamic_cast<const ColorNormalizer*>(pipeline.parts().normalizer.stage.get());
-    if (normalizer == nullptr) return;
-    std::vector<cv::Mat> in;
-    cv::split(bgr, in);
-    std::vector<cv::Mat> out(3);
-    for (cv::Mat& plane : out) plane.create(bgr.size(), CV_8UC1);
-    const auto size = bgr.total();
-    const auto read = [&](std::size_t c) {
-      return std::span<const std::uint8_t>(in[c].data, size);
-    };
-    const auto write = [&](std::size_t c) { return std::span<std::uint8_t>(out[c].data, size); };
-    normalizer->normalize({read(0), read(1), read(2)}, {write(0), write(1), write(2)});
-    cv::merge(out, picture);
+    Normalizer& normalizer = *pipeline.parts().normalizer.stage;
+    if (dynamic_cast<const ColorNormalizer*>(&normalizer) == nullptr) return;
+    picture = normalized_picture(bgr, normalizer);
   });
   return picture;
 }
 
 // From the runs: what the frame path found, and where it looked.
 cv::Mat ViewPictures::labels(const KeptFrame& frame) const {
-  cv::Mat labels(frame.result.frame.bgr.size(), CV_8UC1, cv::Scalar(kBackground));
-  for (const Run& run : frame.result.runs) {
-    Label* row = labels.ptr<Label>(run.row);
-    std::fill(row + run.begin, row + run.end, run.label);
-  }
+  cv::Mat labels;
+  draw_runs(frame.result.runs, frame.result.frame.bgr.size(), labels);
   return labels;
 }
 

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,9 +30,9 @@ class ViewPictures {
   /// overlay, original, normalized, filtered, labels.
   static std::vector<std::string> names();
 
-  /// As the normalizer in use makes it; the picture itself where that needs the whole picture,
-  /// which is the run loop's business.
-  cv::Mat normalized(const cv::Mat& bgr);
+  /// As the normalizer in use makes it; nothing where that needs the whole picture, which is the
+  /// run loop's business.
+  std::optional<cv::Mat> normalized(const cv::Mat& bgr);
 
   /// See Session::next_picture.
   std::shared_ptr<const Picture> next(std::string_view view, int width_px, std::uint64_t after,

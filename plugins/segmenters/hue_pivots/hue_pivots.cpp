@@ -43,12 +43,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <opencv2/core/fast_math.hpp>
-
 #include "circular_span.hpp"
 #include "exclusion_fit.hpp"
+#include "exclusions.hpp"
 #include "maggic/plugin.hpp"
 #include "maggic/vectorized.hpp"
+#include "opencv_hsv.hpp"
 #include "pivot_fit.hpp"
 
 namespace {
@@ -61,10 +61,17 @@ using maggic::Label;
 using maggic::Parameters;
 
 using maggic::hue_pivots::CircularSpan;
+using maggic::hue_pivots::Exclusions;
+using maggic::hue_pivots::hue_index;
+using maggic::hue_pivots::hue_index_of;
+using maggic::hue_pivots::hue_indices;
+using maggic::hue_pivots::kHues;
+using maggic::hue_pivots::largest;
 using maggic::hue_pivots::nearest_pivots;
+using maggic::hue_pivots::opencv_hues;
 using maggic::hue_pivots::Pivots;
-
-constexpr int kHues = 256;
+using maggic::hue_pivots::smallest;
+using maggic::hue_pivots::spread_of;
 
 struct DefaultPivot {
   std::string_view color;
@@ -78,135 +85,16 @@ constexpr std::array<DefaultPivot, 7> kDefaultPivots{{{"red", 0},
                                                       {"blue", 151},
                                                       {"magenta", 235}}};
 
-/// A rectangle of the hue × value or hue × saturation plane; all three spans must hold.
-struct Exclusion {
-  std::vector<int> hue{0, 255};
-  std::vector<int> value{0, 255};
-  std::vector<int> saturation{0, 255};
-};
-
-constexpr std::size_t kMaxExclusions = 32;
-
-/// The same, to be compared with.
-struct Rectangle {
-  CircularSpan hue;
-  CircularSpan value;
-  CircularSpan saturation;
-
-  explicit Rectangle(const Exclusion& exclusion)
-      : hue(span(exclusion.hue)),
-        value(span(exclusion.value)),
-        saturation(span(exclusion.saturation)) {}
-
- private:
-  static CircularSpan span(const std::vector<int>& ends) {
-    return CircularSpan::from_to(ends[0], ends[1]);
-  }
-};
-
 // OpenCV's hue is off the true one by less: half a step of rounding, and up to 1275 · 0.5 / 4096 of
 // the scale's. So two of them order as the true ones do, give or take one step.
 constexpr int kHueError = 1;
 
 // Colours are worked through in pieces that keep what lies between two loops on the stack.
-constexpr std::size_t kPiece = 1024;
-
-// OpenCV's 8-bit conversion takes the hue as sector · spread + difference of two channels, an
-// integer in [-spread, 5·spread], scaled by a table of rounded 1/spread. So the hue is a function
-// of that numerator and the spread, and one table of all such pairs answers it: row `spread` has
-// 6·spread + 1 entries.
-constexpr std::uint32_t hue_index(std::uint32_t spread, std::int32_t numerator) {
-  return 3 * spread * spread - spread + static_cast<std::uint32_t>(numerator);
-}
-constexpr std::size_t kHueIndices = hue_index(255, 5 * 255) + 1;
-
-std::vector<std::uint8_t> opencv_hues() {
-  constexpr int kShift = 12;
-  std::vector<std::uint8_t> hues(kHueIndices, 0);
-  for (int spread = 1; spread <= 255; ++spread) {
-    const int scale = cvRound((kHues << kShift) / (6.0 * spread));
-    for (int numerator = -spread; numerator <= 5 * spread; ++numerator) {
-      const int hue = (numerator * scale + (1 << (kShift - 1))) >> kShift;
-      hues[hue_index(static_cast<std::uint32_t>(spread), numerator)] =
-          static_cast<std::uint8_t>(std::min(hue < 0 ? hue + kHues : hue, kHues - 1));
-    }
-  }
-  return hues;
-}
+constexpr std::size_t kPiece = Exclusions::kMostAtOnce;
 
 int distance_on_circle(int a, int b) {
   const int straight = std::abs(a - b);
   return std::min(straight, kHues - straight);
-}
-
-std::uint8_t largest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
-  return std::max(std::max(b, g), r);
-}
-std::uint8_t smallest(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
-  return std::min(std::min(b, g), r);
-}
-int spread_of(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
-  return largest(b, g, r) - smallest(b, g, r);
-}
-
-std::uint32_t hue_index_of(std::uint8_t b, std::uint8_t g, std::uint8_t r) {
-  const std::uint8_t value = largest(b, g, r);
-  const auto spread = static_cast<std::int16_t>(value - smallest(b, g, r));
-  const auto of_red = static_cast<std::int16_t>(g - b);
-  const auto of_green = static_cast<std::int16_t>(b - r + 2 * spread);
-  const auto of_blue = static_cast<std::int16_t>(r - g + 4 * spread);
-  const std::int16_t below_red = value == g ? of_green : of_blue;
-  const std::int16_t numerator = value == r ? of_red : below_red;
-  return hue_index(static_cast<std::uint32_t>(spread), numerator);
-}
-
-MAGGIC_VECTORIZED void hue_indices(const ColorBatch& colors, std::uint32_t* __restrict indices) {
-  const std::uint8_t* __restrict blue = colors.b.data();
-  const std::uint8_t* __restrict green = colors.g.data();
-  const std::uint8_t* __restrict red = colors.r.data();
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    indices[i] = hue_index_of(blue[i], green[i], red[i]);
-  }
-}
-
-/// A piece of colours by OpenCV's HSV_FULL.
-struct HsvPlanes {
-  std::array<std::uint8_t, kPiece> hue;
-  std::array<std::uint8_t, kPiece> value;
-  std::array<std::uint8_t, kPiece> saturation;
-};
-
-MAGGIC_VECTORIZED void values_and_spreads(const ColorBatch& colors, std::uint8_t* __restrict values,
-                                          std::uint8_t* __restrict spreads) {
-  const std::uint8_t* __restrict b = colors.b.data();
-  const std::uint8_t* __restrict g = colors.g.data();
-  const std::uint8_t* __restrict r = colors.r.data();
-  for (std::size_t i = 0; i < colors.size(); ++i) {
-    values[i] = largest(b[i], g[i], r[i]);
-    spreads[i] = static_cast<std::uint8_t>(values[i] - smallest(b[i], g[i], r[i]));
-  }
-}
-
-// OpenCV's saturation; `scale` is 255 / value in units of 1/4096.
-std::uint8_t scaled_spread(int spread, std::int32_t scale) {
-  return static_cast<std::uint8_t>((spread * scale + (1 << 11)) >> 12);
-}
-
-MAGGIC_VECTORIZED void scale_spreads(const std::int32_t* __restrict scales,
-                                     std::span<std::uint8_t> spreads) {
-  std::uint8_t* __restrict out = spreads.data();
-  for (std::size_t i = 0; i < spreads.size(); ++i) out[i] = scaled_spread(out[i], scales[i]);
-}
-
-MAGGIC_VECTORIZED void clear_inside(const Rectangle& rectangle, const HsvPlanes& planes,
-                                    std::span<Label> labels) {
-  const Rectangle in = rectangle;
-  Label* __restrict out = labels.data();
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const bool inside = in.hue.holds(planes.hue[i]) & in.value.holds(planes.value[i]) &
-                        in.saturation.holds(planes.saturation[i]);
-    out[i] = inside ? kBackground : out[i];
-  }
 }
 
 class HuePivots final : public maggic::ColorSegmenter {
@@ -231,8 +119,7 @@ class HuePivots final : public maggic::ColorSegmenter {
               });
         });
     check_pivots_differ(p);
-    p.list({"exclude", "rectangles of hue and value or saturation that are always background"},
-           exclusions_, {0, static_cast<int>(kMaxExclusions)}, describe_exclusion);
+    exclusions_.describe(p);
   }
 
   void prepare(const maggic::StageContext& context) override {
@@ -252,7 +139,7 @@ class HuePivots final : public maggic::ColorSegmenter {
                            [&](std::uint8_t hue) { return label_of_hue_[hue]; });
     count_same_labels();
     label_of_index_[hue_index(0, 0)] = kBackground;
-    prepare_exclusions();
+    exclusions_.prepare();
   }
 
   void segment(const ColorBatch& original, const ColorBatch& normalized,
@@ -275,7 +162,7 @@ class HuePivots final : public maggic::ColorSegmenter {
 #pragma GCC unroll 8
       for (std::size_t i = 0; i < count; ++i) out[i] = label_of_index[indices[i]];
       clear_gray(normalized_piece, piece);
-      if (!rectangles_.empty()) clear_excluded(hue_piece, indices.data(), piece);
+      if (!exclusions_.empty()) exclusions_.clear(hue_piece, hues_, indices.data(), piece);
     }
   }
 
@@ -285,12 +172,12 @@ class HuePivots final : public maggic::ColorSegmenter {
     if (spread.last <= gray_threshold_) return kBackground;
     const ColorBox& of_hue = hue_of_ == HueOf::kOriginal ? original : normalized;
     const bool may_be_gray = spread.first <= gray_threshold_ || maggic::holds_gray(of_hue);
-    if (may_be_gray && rectangles_.empty()) return {};
+    if (may_be_gray && exclusions_.empty()) return {};
     const CircularSpan hues = hue_span(of_hue);
-    if (!rectangles_.empty()) {
-      const Held excluded = held_by_exclusions(of_hue, hues);
-      if (excluded == Held::kAll) return kBackground;
-      if (excluded == Held::kSome) return {};
+    if (!exclusions_.empty()) {
+      const Exclusions::Held excluded = exclusions_.held(of_hue, hues);
+      if (excluded == Exclusions::Held::kAll) return kBackground;
+      if (excluded == Exclusions::Held::kSome) return {};
     }
     if (may_be_gray || hues.steps > same_label_steps_[hues.first]) return {};
     return label_of_hue_[hues.first];
@@ -300,12 +187,13 @@ class HuePivots final : public maggic::ColorSegmenter {
     const bool takes_original = hue_of_ == HueOf::kOriginal;
     const ColorBatch& of_hue = takes_original ? original : normalized;
     const int spread = spread_of(normalized.b[0], normalized.g[0], normalized.r[0]);
-    if (spread_of(of_hue.b[0], of_hue.g[0], of_hue.r[0]) == 0) {
+    const int spread_of_hue = spread_of(of_hue.b[0], of_hue.g[0], of_hue.r[0]);
+    if (spread_of_hue == 0) {
       return "gray: the channels are all equal, so the colour has no hue";
     }
     std::uint32_t index = 0;
     hue_indices(of_hue, &index);
-    const int hue = hues_[index];
+    const std::uint8_t hue = hues_[index];
     const std::string by_hue =
         fmt::format("hue {} of the {} colour {}", hue, takes_original ? "original" : "normalized",
                     nearest_text(hue));
@@ -315,7 +203,9 @@ class HuePivots final : public maggic::ColorSegmenter {
           "without the gray filter: {}",
           spread, gray_threshold_, by_hue);
     }
-    if (const std::string excluded = exclusion_text(of_hue, index); !excluded.empty()) {
+    const std::uint8_t value = largest(of_hue.b[0], of_hue.g[0], of_hue.r[0]);
+    if (const std::string excluded = exclusions_.text_of(hue, value, spread_of_hue);
+        !excluded.empty()) {
       return fmt::format("{}\nwithout that: {}", excluded, by_hue);
     }
     return by_hue;
@@ -359,38 +249,6 @@ class HuePivots final : public maggic::ColorSegmenter {
     // Near half a circle, which way round it goes is not certain.
     if (highest - lowest > kHues / 3) return kAll;
     return CircularSpan::from_to(start + lowest - kHueError, start + highest + kHueError);
-  }
-
-  enum class Held { kNone, kSome, kAll };
-
-  /// How many of the box's colours, whose hues are within `hues`, the exclusions hold.
-  Held held_by_exclusions(const ColorBox& box, const CircularSpan& hues) const {
-    const ChannelRange values = maggic::value_range(box);
-    const auto value = CircularSpan::from_to(values.first, values.last);
-    const CircularSpan saturation = saturation_span(box);
-    Held held = Held::kNone;
-    for (const Rectangle& excluded : rectangles_) {
-      if (!excluded.hue.meets(hues) || !excluded.value.meets(value) ||
-          !excluded.saturation.meets(saturation)) {
-        continue;
-      }
-      if (excluded.hue.holds(hues) && excluded.value.holds(value) &&
-          excluded.saturation.holds(saturation)) {
-        return Held::kAll;
-      }
-      held = Held::kSome;
-    }
-    return held;
-  }
-
-  // Grows with the value and falls with the smallest channel, but for the step that is rounded.
-  CircularSpan saturation_span(const ColorBox& box) const {
-    const ChannelRange value = maggic::value_range(box);
-    const int least_spread = value.first - smallest(box.b.last, box.g.last, box.r.last);
-    const int most_spread = value.last - smallest(box.b.first, box.g.first, box.r.first);
-    const int first = saturation_of(value.first, std::max(least_spread, 0)) - 1;
-    const int last = saturation_of(value.last, most_spread) + 1;
-    return CircularSpan::from_to(std::max(first, 0), std::min(last, 255));
   }
 
   std::vector<std::uint8_t> hues_of(const ColorBatch& colors) const {
@@ -452,7 +310,7 @@ class HuePivots final : public maggic::ColorSegmenter {
     for (std::size_t i = 0; i < colors.size(); ++i) {
       const std::uint8_t value = largest(colors.b[i], colors.g[i], colors.r[i]);
       const int spread = value - smallest(colors.b[i], colors.g[i], colors.r[i]);
-      const Hsv hsv{hues[i], saturation_of(value, spread), value};
+      const Hsv hsv{hues[i], exclusions_.saturation_of(value, spread), value};
       if (samples.labels[i] != kBackground) {
         tags.push_back(hsv);
         continue;
@@ -506,11 +364,6 @@ class HuePivots final : public maggic::ColorSegmenter {
            samples.gray_threshold.best;
   }
 
-  /// As OpenCV has it.
-  std::uint8_t saturation_of(std::uint8_t value, int spread) const {
-    return scaled_spread(spread, saturation_scale_[value]);
-  }
-
   enum class HueOf { kOriginal, kNormalized };
 
   void check_pivots_differ(Parameters& p) const {
@@ -525,28 +378,6 @@ class HuePivots final : public maggic::ColorSegmenter {
     }
   }
 
-  static void describe_exclusion(Parameters& p, Exclusion& exclusion) {
-    const auto describe_span = [&](const maggic::Parameter& what, std::vector<int>& span) {
-      p.list(what, span, {2, 2}, [](Parameters& element, int& end) {
-        element.integer({"", "first, then last, both included", "8-bit steps"}, end, {0, 255});
-      });
-    };
-    const auto check_order = [&](std::string_view key, const std::vector<int>& span) {
-      if (span.size() != 2) return;  // The reader has said so.
-      p.check(key, span[0] <= span[1],
-              fmt::format("found [{}, {}], expected the smaller value first", span[0], span[1]));
-    };
-    describe_span({"hue", "from, to around the circle: [250, 10] runs through 255 and 0",
-                   "1/256 of the hue circle", maggic::Presence::kRequired},
-                  exclusion.hue);
-    describe_span({"value", "of the largest channel; absent: any", "8-bit steps"}, exclusion.value);
-    describe_span(
-        {"saturation", "absent: any; where value is given too, both must hold", "8-bit steps"},
-        exclusion.saturation);
-    check_order("value", exclusion.value);
-    check_order("saturation", exclusion.saturation);
-  }
-
   void count_same_labels() {
     for (std::size_t hue = 0; hue < kHues; ++hue) {
       int& steps = same_label_steps_[hue];
@@ -557,15 +388,6 @@ class HuePivots final : public maggic::ColorSegmenter {
         ++steps;
       }
     }
-  }
-
-  void prepare_exclusions() {
-    constexpr int kShift = 12;
-    for (int value = 1; value < 256; ++value) {
-      saturation_scale_[static_cast<std::size_t>(value)] =
-          cvRound((255 << kShift) / static_cast<double>(value));
-    }
-    rectangles_ = {exclusions_.begin(), exclusions_.end()};
   }
 
   struct Nearest {
@@ -599,25 +421,6 @@ class HuePivots final : public maggic::ColorSegmenter {
     return text;
   }
 
-  /// Names the rectangle that holds the colour; empty when none does.
-  std::string exclusion_text(const ColorBatch& color, std::uint32_t index) const {
-    const std::uint8_t value = largest(color.b[0], color.g[0], color.r[0]);
-    const std::uint8_t saturation =
-        saturation_of(value, spread_of(color.b[0], color.g[0], color.r[0]));
-    const auto holding = std::ranges::find_if(rectangles_, [&](const Rectangle& excluded) {
-      return excluded.hue.holds(hues_[index]) && excluded.value.holds(value) &&
-             excluded.saturation.holds(saturation);
-    });
-    if (holding == rectangles_.end()) return {};
-    const auto number = static_cast<std::size_t>(holding - rectangles_.begin());
-    const Exclusion& span = exclusions_[number];
-    return fmt::format(
-        "excluded: hue {}, saturation {}, value {} lie in exclude[{}] (hue [{}], saturation [{}], "
-        "value [{}])",
-        hues_[index], saturation, value, number, fmt::join(span.hue, ", "),
-        fmt::join(span.saturation, ", "), fmt::join(span.value, ", "));
-  }
-
   MAGGIC_VECTORIZED void clear_gray(const ColorBatch& colors, std::span<Label> labels) const {
     const std::uint8_t* __restrict b = colors.b.data();
     const std::uint8_t* __restrict g = colors.g.data();
@@ -631,33 +434,16 @@ class HuePivots final : public maggic::ColorSegmenter {
     }
   }
 
-  // In loops of one look-up each and loops without any, which vectorise.
-  void clear_excluded(const ColorBatch& colors, const std::uint32_t* indices,
-                      std::span<Label> labels) const {
-    HsvPlanes planes;
-    std::array<std::int32_t, kPiece> scales;
-    values_and_spreads(colors, planes.value.data(), planes.saturation.data());
-#pragma GCC unroll 8
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      planes.hue[i] = hues_[indices[i]];
-      scales[i] = saturation_scale_[planes.value[i]];
-    }
-    scale_spreads(scales.data(), {planes.saturation.data(), labels.size()});
-    for (const Rectangle& excluded : rectangles_) clear_inside(excluded, planes, labels);
-  }
-
   int gray_threshold_ = 20;
   HueOf hue_of_ = HueOf::kOriginal;
   Pivots pivots_;  ///< Those given; once prepared, the defaults where none were.
-  std::vector<Exclusion> exclusions_;
+  Exclusions exclusions_;
 
   const maggic::Palette* palette_ = nullptr;
   std::vector<std::uint8_t> hues_;     ///< At hue_index.
   std::vector<Label> label_of_index_;  ///< At hue_index.
   std::array<Label, kHues> label_of_hue_{};
   std::array<int, kHues> same_label_steps_{};  ///< How many hues after this one share its label.
-  std::array<int, 256> saturation_scale_{};
-  std::vector<Rectangle> rectangles_;  ///< One for each of exclusions_.
 };
 
 }  // namespace

@@ -4,10 +4,12 @@
 
 #include "fira.pb.h"
 #include "maggic/testing.hpp"
+#include "network/robot_for_tests.hpp"
 #include "network/udp_receiver_for_tests.hpp"
 
 namespace {
 
+using maggic::network::robot;
 using maggic::testing::standard_palette;
 using ::testing::IsEmpty;
 
@@ -26,18 +28,6 @@ class FiraSink : public ::testing::Test {
     fira_message::Environment packet;
     EXPECT_TRUE(packet.ParseFromString(bytes_of(result, more)));
     return packet;
-  }
-
-  static maggic::RobotDetection robot(maggic::Team team, int id) {
-    maggic::RobotDetection robot;
-    robot.team = team;
-    robot.id = id;
-    robot.position_mm = {500.0, -250.0};
-    robot.heading_rad = 0.5;
-    robot.velocity_mm_s = {1000.0, -2000.0};
-    robot.angular_velocity_rad_s = -3.0;
-    robot.confidence = 1.0;
-    return robot;
   }
 
   maggic::network::UdpReceiver client_;

@@ -4,11 +4,13 @@
 #include <gmock/gmock.h>
 
 #include "maggic/testing.hpp"
+#include "network/robot_for_tests.hpp"
 #include "network/udp_receiver_for_tests.hpp"
 #include "ssl_tracked.pb.h"
 
 namespace {
 
+using maggic::network::robot;
 using maggic::testing::standard_palette;
 using ::testing::IsEmpty;
 using ::testing::MatchesRegex;
@@ -27,19 +29,6 @@ class SslTrackedSink : public ::testing::Test {
     EXPECT_TRUE(packet.ParseFromString(client_.receive()));
     EXPECT_TRUE(client_.is_empty());
     return packet;
-  }
-
-  static maggic::RobotDetection robot(maggic::Team team, int id, maggic::TrackState state) {
-    maggic::RobotDetection robot;
-    robot.team = team;
-    robot.id = id;
-    robot.position_mm = {500.0, -250.0};
-    robot.heading_rad = 0.5;
-    robot.velocity_mm_s = {1000.0, -2000.0};
-    robot.angular_velocity_rad_s = -3.0;
-    robot.confidence = state == maggic::TrackState::kSeen ? 1.0 : 0.25;
-    robot.state = state;
-    return robot;
   }
 
   maggic::network::UdpReceiver client_;
